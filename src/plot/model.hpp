@@ -1,0 +1,104 @@
+/// \file
+/// A figure as data: what the writers (SVG, CSV, HTML) draw. It knows nothing of materials or JSON.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brdfplot::plot {
+
+enum class Kind {
+  lines,   ///< cartesian curves, y against x
+  polar,   ///< lobes in the plane of incidence: radius y at the signed angle x from the normal
+  heatmap, ///< a value over two swept variables, with a colour bar
+};
+
+enum class Scale { linear, logarithmic };
+
+/// How the axis is labelled. Angles are radians everywhere in the model; `degrees` converts for tick labels only.
+enum class Unit { none, radians, degrees };
+
+/// NaN in a bound means: take it from the data.
+inline constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
+
+/// Text of every label may use `_x`, `_{xyz}`, `^x` and `^{xyz}` for sub- and superscripts: "θ_o", "10^{-3}".
+struct Axis {
+  std::string label;  ///< drawn, with markup
+  std::string column; ///< name of the CSV column
+  Scale scale = Scale::linear;
+  Unit unit = Unit::none;
+  double from = automatic;
+  double to = automatic;
+};
+
+/// A polyline. A NaN in y breaks the line.
+struct Series {
+  std::string label;
+  std::vector<double> x; ///< the swept variable (radians for angles), ascending
+  std::vector<double> y; ///< the value (for polar plots: the radius, >= 0)
+  /// Which entry of the palette; series of equal label share it across panels.
+  int style = 0;
+  /// In [0, 1]: the place in a sequential ramp, for families such as alpha = 0.1 ... 1; absent: categorical palette.
+  std::optional<double> ramp;
+};
+
+/// A direction of a polar plot, drawn as an arrow from (or, when `incoming`, towards) the surface point.
+struct Arrow {
+  std::string label;
+  double theta = 0; ///< signed angle from the normal, radians; positive to the right
+  bool incoming = false;
+};
+
+/// Values on a grid, row-major with x fastest: value[iy * x.size() + ix]. Cell centres are (x[ix], y[iy]).
+struct Grid {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> value;
+};
+
+/// A curve over a heat map (a boundary), with a label for the legend: a set of open or closed polylines.
+struct Contour {
+  std::string label;
+  struct Line {
+    std::vector<double> x;
+    std::vector<double> y;
+  };
+  std::vector<Line> lines;
+};
+
+struct Panel {
+  std::string title; ///< drawn above the panel and written to the CSV; may be empty when there is one panel
+  Axis x;
+  Axis y; ///< lines: the value; polar: the radius; heat map: the second swept variable
+  std::vector<Series> series;
+  std::vector<Arrow> arrows;     ///< polar only
+  std::optional<Axis> value;     ///< heat map only: the colour bar
+  std::optional<Grid> grid;      ///< heat map only
+  std::vector<Contour> contours; ///< heat map only
+};
+
+/// Which panels share the range of their value axis where it is automatic.
+enum class Share { none, rows, all };
+
+struct Figure {
+  std::string id;
+  std::string title;
+  std::string description; ///< one or two sentences: the SVG's <desc> and the caption
+  Kind kind = Kind::lines;
+  int columns = 1; ///< panels stand in rows of so many
+  Share share = Share::none;
+  std::vector<Panel> panels;
+};
+
+/// The figure as one standalone SVG document (UTF-8, viewBox, text as text).
+/// \throws nothing that depends on the data; an empty figure gives an SVG with the title only.
+std::string to_svg(const Figure& figure);
+
+/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`.
+/// One header line, LF, numbers in the shortest form that reads back to the same double; text fields quoted when needed
+/// (RFC 4180). Markup of labels is stripped ("θ_o" stays "θ_o": only braces go).
+std::string to_csv(const Figure& figure);
+
+} // namespace brdfplot::plot
