@@ -21,9 +21,9 @@ namespace brdfplot {
 
 /// A vector; where the text says direction, of unit length. Right-handed, z along omega_g.
 struct Direction {
-  double x = 0;
-  double y = 0;
-  double z = 1;
+  double x;
+  double y;
+  double z;
 };
 
 inline double dot(const Direction& u, const Direction& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }

@@ -1,0 +1,221 @@
+#include "analysis/integrals.hpp"
+
+#include "analysis/slope_domain.hpp"
+#include "math/number.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace brdfplot {
+
+namespace {
+
+/// Arrays of directions for evaluate(), refilled for every rule.
+struct Columns3 {
+  std::vector<double> x, y, z;
+  void resize(std::size_t n) {
+    x.resize(n);
+    y.resize(n);
+    z.resize(n);
+  }
+  void set(std::size_t k, const Direction& d) {
+    x[k] = d.x;
+    y[k] = d.y;
+    z[k] = d.z;
+  }
+  Columns view() const { return {x.data(), y.data(), z.data()}; }
+};
+
+/// Rows that share omega_o.
+struct Rows {
+  explicit Rows(const Direction& omega_o) : o_(omega_o) {}
+
+  template <class Fill>
+  Batch fill(std::size_t n, bool has_i, bool has_m, const Fill& direction_of) {
+    o.resize(n);
+    (has_i ? i : m).resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      o.set(k, o_);
+      (has_i ? i : m).set(k, direction_of(k));
+    }
+    return {n, o.view(), has_i ? i.view() : Columns{}, has_m ? m.view() : Columns{}};
+  }
+
+private:
+  Direction o_;
+  Columns3 o, i, m;
+};
+
+using Weight = std::function<double(const Direction& omega_m, const Direction& omega_i)>;
+
+/// int D_o(m) w(m, i) dm over the facing normals.
+Estimate visible(const Material& material, const Direction& o, double tolerance) {
+  Rows rows(o);
+  const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
+    const Batch batch = rows.fill(m.size(), false, true, [&](std::size_t k) { return m[k]; });
+    evaluate(material, Quantity::d_visible, batch, out.data());
+  };
+  return integrate_normals(SlopeFrame(material.slopes(), o), integrand, false, tolerance);
+}
+
+/// int G1 <o,m> D dm, each factor by itself.
+Estimate projected_area(const Material& material, const Direction& o, double tolerance) {
+  Rows rows(o);
+  std::vector<double> density;
+  const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
+    const Batch batch = rows.fill(m.size(), false, true, [&](std::size_t k) { return m[k]; });
+    density.resize(m.size());
+    evaluate(material, Quantity::d, batch, density.data());
+    evaluate(material, Quantity::g1, batch, out.data());
+    for (std::size_t k = 0; k < m.size(); ++k) out[k] *= std::max(0.0, dot(o, m[k])) * density[k];
+  };
+  const SlopeFrame frame(material.slopes(), o);
+  return integrate_normals(frame, integrand, false, tolerance * frame.c());
+}
+
+/// Eq. 36 over omega_i, with d omega_i = 4 (o.h) d omega_h: the half vector is found again from omega_i.
+Estimate weak_furnace(const Material& material, const Direction& o, double tolerance) {
+  Rows rows(o);
+  const SlopeFrame frame(material.slopes(), o);
+  std::vector<double> density;
+  const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
+    const Batch batch = rows.fill(h.size(), true, false, [&](std::size_t k) { return reflected(o, h[k]); });
+    density.resize(h.size());
+    evaluate(material, Quantity::d, batch, density.data());
+    evaluate(material, Quantity::g1, batch, out.data());
+    for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * frame.c()) * (4 * dot(o, h[k]));
+  };
+  return integrate_normals(frame, integrand, false, tolerance);
+}
+
+/// int rho cos theta_i w(i) di over the directions above the horizon of the mesosurface.
+Estimate reflected_light(const Material& material, const Direction& o, double tolerance, int channel,
+                         const std::function<double(const Direction&)>& weight) {
+  Rows rows(o);
+  std::vector<double> all;
+  const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
+    const std::size_t n = h.size();
+    const Batch batch = rows.fill(n, true, false, [&](std::size_t k) { return reflected(o, h[k]); });
+    all.resize(static_cast<std::size_t>(material.channels()) * n);
+    evaluate(material, Quantity::brdf_cos, batch, all.data());
+    for (std::size_t k = 0; k < n; ++k)
+      out[k] = all[static_cast<std::size_t>(channel) * n + k] * 4 * dot(o, h[k]) * weight(reflected(o, h[k]));
+  };
+  return integrate_normals(SlopeFrame(material.slopes(), o), integrand, true, tolerance);
+}
+
+double one(const Direction&) { return 1; }
+
+Estimate furnace(const Material& material, const Direction& o, double tolerance) {
+  Material white = material;
+  white.fresnel = NoFresnel{};
+  return reflected_light(white, o, tolerance, 0, one);
+}
+
+/// Appendix C: theta over the whole sphere and phi, both in steps of 0.05.
+double weak_furnace_on_grid(const Material& material, const Direction& o) {
+  constexpr double step = 0.05;
+  const double c = material.slopes().project(o).c;
+  double sum = 0;
+  for (int row = 0; row * step <= std::numbers::pi; ++row) {
+    for (int column = 0; column * step <= 2 * std::numbers::pi; ++column) {
+      const Direction i = from_angles(row * step, column * step);
+      const double value = evaluate(material, Quantity::g1, o, i, std::nullopt);
+      if (value > 0) sum += std::sin(row * step) * value * evaluate(material, Quantity::d, o, i, std::nullopt);
+    }
+  }
+  return sum * step * step / (4 * c);
+}
+
+/// The horizontal unit vector along omega_o's azimuth (x where it has none).
+Direction azimuth(const Direction& o) {
+  const double h = std::hypot(o.x, o.y);
+  return h > 0 ? Direction{o.x / h, o.y / h, 0} : Direction{1, 0, 0};
+}
+
+/// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i.
+Estimate mean_theta_i(const Material& material, const Direction& o, double tolerance) {
+  const Direction along = azimuth(o);
+  const auto x = reflected_light(material, o, tolerance, 0, [&](const Direction& i) { return dot(along, i); });
+  const auto z = reflected_light(material, o, tolerance, 0, [](const Direction& i) { return i.z; });
+  const double length = std::hypot(x.value, z.value);
+  return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
+          x.evaluations + z.evaluations};
+}
+
+/// The largest value of rho cos theta_i in the plane of incidence: the best of a scan that is dense around the mirror
+/// direction, then golden section.
+Estimate peak_theta_i(const Material& material, const Direction& o) {
+  const Direction along = azimuth(o);
+  std::size_t evaluations = 0;
+  const auto value = [&](double theta) {
+    ++evaluations;
+    const Direction i{std::sin(theta) * along.x, std::sin(theta) * along.y, std::cos(theta)};
+    return evaluate(material, Quantity::brdf_cos, o, i, std::nullopt);
+  };
+  const double mirror = -std::atan2(std::hypot(o.x, o.y), o.z);
+  std::vector<double> scan;
+  constexpr double quarter = 0.5 * std::numbers::pi;
+  for (int k = -200; k <= 200; ++k) {
+    scan.push_back(quarter * k / 200);
+    const double near = mirror + std::copysign(std::pow(std::abs(k) / 200.0, 4), k);
+    if (std::fabs(near) < quarter) scan.push_back(near);
+  }
+  std::ranges::sort(scan);
+  const auto best = std::ranges::max_element(scan, {}, value);
+  double low = best == scan.begin() ? *best : *(best - 1);
+  double high = best + 1 == scan.end() ? *best : *(best + 1);
+  constexpr double golden = 0.6180339887498949;
+  while (high - low > 1e-9) {
+    const double p = high - golden * (high - low);
+    const double q = low + golden * (high - low);
+    (value(p) < value(q) ? low : high) = value(p) < value(q) ? p : q;
+  }
+  return {0.5 * (low + high), 1e-8, evaluations};
+}
+
+} // namespace
+
+const std::vector<IntegralInfo>& integrals() {
+  static const std::vector<IntegralInfo> all = {
+      {Integral::projected_area, "projected_area", "projected area of the visible microsurface, Eq. 13", false},
+      {Integral::visible_norm, "visible_norm", "integral of D_o, Eq. 18", false},
+      {Integral::weak_furnace, "weak_furnace", "weak white furnace, Eq. 36", false},
+      {Integral::furnace, "furnace", "white furnace, Eq. 34 with F = 1", false},
+      {Integral::albedo, "albedo", "directional albedo, integral of rho cos theta_i", true},
+      {Integral::weak_furnace_grid, "weak_furnace_grid", "Eq. 36 summed on the 0.05 rad grid of Appendix C", false},
+      {Integral::mean_theta_i, "mean_theta_i", "polar angle of the mean reflected direction, rad", false},
+      {Integral::peak_theta_i, "peak_theta_i", "angle of the largest rho cos theta_i in the plane of incidence, rad",
+       false},
+  };
+  return all;
+}
+
+Estimate compute(Integral integral, const Material& material, const Direction& omega_o, double tolerance, int channel) {
+  if (!(material.slopes().project(omega_o).c > 0)) return {};
+  switch (integral) {
+  case Integral::projected_area: return projected_area(material, omega_o, tolerance);
+  case Integral::visible_norm: return visible(material, omega_o, tolerance);
+  case Integral::weak_furnace: return weak_furnace(material, omega_o, tolerance);
+  case Integral::furnace: return furnace(material, omega_o, tolerance);
+  case Integral::albedo: return reflected_light(material, omega_o, tolerance, channel, one);
+  case Integral::weak_furnace_grid: return {weak_furnace_on_grid(material, omega_o), 0, 63 * 126};
+  case Integral::mean_theta_i: return mean_theta_i(material, omega_o, tolerance);
+  case Integral::peak_theta_i: return peak_theta_i(material, omega_o);
+  }
+  return {};
+}
+
+double compute_or_throw(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
+                        int channel) {
+  const Estimate estimate = compute(integral, material, omega_o, tolerance, channel);
+  const double scale = integral == Integral::projected_area ? material.slopes().project(omega_o).c : 1;
+  if (estimate.error > tolerance * scale && integral != Integral::peak_theta_i)
+    throw AccuracyError(integrals()[static_cast<std::size_t>(integral)].name,
+                        "reached an error estimate of " + format_number(estimate.error) + " (asked: " +
+                            format_number(tolerance * scale) + ") at omega_o = (" + format_number(omega_o.x) + ", " +
+                            format_number(omega_o.y) + ", " + format_number(omega_o.z) + ")");
+  return estimate.value;
+}
+
+} // namespace brdfplot

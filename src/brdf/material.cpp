@@ -1,0 +1,83 @@
+#include "brdf/material.hpp"
+
+#include "microfacet/registry.hpp"
+
+#include <algorithm>
+
+namespace brdfplot {
+
+namespace {
+
+template <class List>
+List make(const std::string& section, const ModelChoice& choice) {
+  auto made = make_model<List>(choice);
+  if (const auto* error = std::get_if<ParameterError>(&made))
+    throw MaterialError("/" + section + (error->key.empty() ? "" : "/" + error->key), error->what);
+  return std::get<List>(std::move(made));
+}
+
+std::string default_shadowing(const Masking& masking) {
+  if (std::holds_alternative<VCavity>(masking)) return "minimum";
+  return std::visit([](const auto& m) { return m.has_lambda; }, masking) ? "height_correlated" : "separable";
+}
+
+/// Sets `key` in `choice` if the model that it names has it.
+template <class List>
+bool set_in(ModelChoice& choice, const std::string& key, double value) {
+  for (const ModelSpec& spec : specs_of<List>()) {
+    if (spec.type != choice.type || spec.find(key) == nullptr) continue;
+    Values kept;
+    const auto in = [](const std::vector<std::string>& group, const std::string& k) {
+      return std::ranges::find(group, k) != group.end();
+    };
+    for (const auto& [other, old] : choice.values.map()) {
+      const bool displaced =
+          std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, other) && !in(g, key); }) &&
+          std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, key); });
+      if (!displaced) kept.set(other, old);
+    }
+    kept.set(key, value);
+    choice.values = kept;
+    return true;
+  }
+  return false;
+}
+
+} // namespace
+
+int Material::channels() const {
+  return std::visit([](const auto& f) { return f.coloured(); }, fresnel) ? 3 : 1;
+}
+
+bool Material::has_lambda() const {
+  return std::visit([](const auto& m) { return m.has_lambda; }, masking);
+}
+
+const SlopeMap& Material::slopes() const {
+  return std::visit([](const auto& d) -> const SlopeMap& { return d.slopes; }, distribution);
+}
+
+Material build(const MaterialDescription& description) {
+  auto distribution = make<Distribution>("distribution", description.distribution);
+  const auto masking = make<Masking>("masking", description.masking);
+  const ModelChoice shadowing_choice = description.shadowing.value_or(ModelChoice{.type = default_shadowing(masking)});
+  const auto shadowing = make<Shadowing>("shadowing", shadowing_choice);
+  const bool has_lambda = std::visit([](const auto& m) { return m.has_lambda; }, masking);
+  const bool needs_lambda = std::visit([](const auto& s) { return s.needs_lambda; }, shadowing);
+  if (needs_lambda && !has_lambda)
+    throw MaterialError("/shadowing/type", "\"" + shadowing_choice.type +
+                                               "\" needs a masking function with a Lambda, and \"" +
+                                               description.masking.type +
+                                               "\" has none; accepted: none, separable, minimum, direction_correlated");
+  return {description.name, std::move(distribution), masking, shadowing, make<Fresnel>("fresnel", description.fresnel)};
+}
+
+void set_parameter(MaterialDescription& description, const std::string& key, double value) {
+  if (set_in<Distribution>(description.distribution, key, value)) return;
+  if (set_in<Masking>(description.masking, key, value)) return;
+  if (description.shadowing && set_in<Shadowing>(*description.shadowing, key, value)) return;
+  if (set_in<Fresnel>(description.fresnel, key, value)) return;
+  throw MaterialError("/distribution", "no model of this material has a parameter \"" + key + "\"");
+}
+
+} // namespace brdfplot

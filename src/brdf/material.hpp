@@ -1,0 +1,63 @@
+/// \file
+/// A material: a distribution of normals, a masking function, the joint masking-shadowing and a Fresnel term.
+#pragma once
+
+#include "math/errors.hpp"
+#include "microfacet/distributions.hpp"
+#include "microfacet/fresnel.hpp"
+#include "microfacet/masking.hpp"
+#include "microfacet/shadowing.hpp"
+
+#include <optional>
+#include <string>
+
+namespace brdfplot {
+
+/// A material as data: names and parameters, not yet checked. Figures sweep its parameters.
+struct MaterialDescription {
+  std::string name;
+  ModelChoice distribution;
+  ModelChoice masking{.type = "smith"};
+  std::optional<ModelChoice> shadowing; ///< none given: default_shadowing of the masking function
+  ModelChoice fresnel{.type = "none"};
+};
+
+/// A material that can be evaluated (see evaluate.hpp). All facets are specular.
+struct Material {
+  std::string name;
+  Distribution distribution;
+  Masking masking;
+  Shadowing shadowing;
+  Fresnel fresnel;
+
+  /// 3 when the Fresnel term is given per channel, else 1.
+  int channels() const;
+  /// Whether masking is written with a Lambda, independent of the normal.
+  bool has_lambda() const;
+  const SlopeMap& slopes() const;
+};
+
+/// What is wrong with a material, at a JSON pointer within it ("/distribution/alpha").
+class MaterialError : public InputError {
+public:
+  MaterialError(std::string pointer, std::string what)
+      : InputError("material: " + pointer, what), pointer_(std::move(pointer)), what_(std::move(what)) {}
+  const std::string& pointer() const { return pointer_; }
+  const std::string& reason() const { return what_; }
+
+private:
+  std::string pointer_;
+  std::string what_;
+};
+
+/// Builds a material. Shadowing defaults to `height_correlated` where the masking function has a Lambda, to `minimum`
+/// for `v_cavity`, and to `separable` for those that are defined by a product (Heitz 2014, Eqs. 55, 58).
+/// \throws MaterialError
+Material build(const MaterialDescription& description);
+
+/// Sets the parameter `key` wherever the description's models have it: distribution, masking, shadowing, fresnel in
+/// this order; the first that has it counts. Other keys of an alternative group are dropped ("alpha" replaces
+/// "exponent"). \throws MaterialError when none has it.
+void set_parameter(MaterialDescription& description, const std::string& key, double value);
+
+} // namespace brdfplot

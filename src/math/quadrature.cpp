@@ -1,0 +1,99 @@
+#include "math/quadrature.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace brdfplot {
+
+namespace {
+
+using Kronrod = boost::math::quadrature::gauss_kronrod<double, 21>;
+using Gauss = boost::math::quadrature::gauss<double, 10>;
+constexpr std::size_t node_count = 21;
+
+/// Nodes of the Kronrod rule on [-1, 1] with both weights; a Gauss weight of 0 where the node is not one of Gauss's.
+struct Rule {
+  std::array<double, node_count> x, kronrod, gauss;
+
+  Rule() {
+    // Boost lists the non-negative half, from the centre outwards; Gauss's nodes are every second one from the second.
+    for (std::size_t k = 0; k < 11; ++k) {
+      const double g = k % 2 == 1 ? Gauss::weights()[k / 2] : 0;
+      for (const std::size_t at : {10 + k, 10 - k}) {
+        x[at] = at < 10 ? -Kronrod::abscissa()[k] : Kronrod::abscissa()[k];
+        kronrod[at] = Kronrod::weights()[k];
+        gauss[at] = g;
+      }
+    }
+  }
+};
+
+struct Interval {
+  double a, b, value, error;
+  bool operator<(const Interval& other) const { return error < other.error; }
+};
+
+Interval apply(const BatchFunction& f, double a, double b) {
+  static const Rule rule;
+  const double centre = 0.5 * (a + b);
+  const double half = 0.5 * (b - a);
+  std::array<double, node_count> x;
+  std::array<double, node_count> y;
+  for (std::size_t k = 0; k < node_count; ++k) x[k] = centre + half * rule.x[k];
+  f(x.data(), y.data(), node_count);
+  double kronrod = 0;
+  double gauss = 0;
+  double magnitude = 0;
+  for (std::size_t k = 0; k < node_count; ++k) {
+    kronrod += rule.kronrod[k] * y[k];
+    gauss += rule.gauss[k] * y[k];
+    magnitude += rule.kronrod[k] * std::fabs(y[k]);
+  }
+  double spread = 0; // integral of |f - mean|
+  for (std::size_t k = 0; k < node_count; ++k) spread += rule.kronrod[k] * std::fabs(y[k] - 0.5 * kronrod);
+  double error = std::fabs(kronrod - gauss);
+  if (spread > 0 && error > 0) error = spread * std::min(1.0, std::pow(200 * error / spread, 1.5));
+  error = std::max(error, 50 * std::numeric_limits<double>::epsilon() * magnitude);
+  return {a, b, half * kronrod, std::fabs(half) * error};
+}
+
+} // namespace
+
+Estimate integrate(const BatchFunction& f, std::span<const double> points, const Tolerance& tolerance,
+                   std::size_t max_evaluations) {
+  std::vector<Interval> heap; // the largest error on top
+  Estimate estimate;
+  const auto add = [&](double a, double b) {
+    heap.push_back(apply(f, a, b));
+    std::push_heap(heap.begin(), heap.end());
+    estimate.evaluations += node_count;
+  };
+  // Summed anew each time: a running difference would keep the rounding of large intermediate values.
+  const auto sum = [&] {
+    estimate.value = estimate.error = 0;
+    for (const Interval& interval : heap) {
+      estimate.value += interval.value;
+      estimate.error += interval.error;
+    }
+    return estimate.error <= std::max(tolerance.absolute, tolerance.relative * std::fabs(estimate.value));
+  };
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    if (points[k] < points[k + 1]) add(points[k], points[k + 1]);
+  while (!sum() && estimate.evaluations < max_evaluations) {
+    std::pop_heap(heap.begin(), heap.end());
+    const Interval worst = heap.back();
+    const double centre = 0.5 * (worst.a + worst.b);
+    if (worst.b - worst.a < 1e-14 * std::max(std::fabs(worst.a), std::fabs(worst.b))) break;
+    heap.pop_back();
+    add(worst.a, centre);
+    add(centre, worst.b);
+  }
+  return estimate;
+}
+
+} // namespace brdfplot

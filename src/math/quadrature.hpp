@@ -1,0 +1,34 @@
+/// \file
+/// Adaptive quadrature that returns what it knows about its own error.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+namespace brdfplot {
+
+/// An integral: its value, an estimate of |value - truth|, and what it cost.
+struct Estimate {
+  double value = 0;
+  double error = 0;
+  std::size_t evaluations = 0;
+};
+
+struct Tolerance {
+  double absolute = 0;
+  double relative = 0;
+};
+
+/// Evaluates the integrand at x[0..n) into y[0..n); called with all nodes of a rule at once.
+using BatchFunction = std::function<void(const double* x, double* y, std::size_t n)>;
+
+/// Integral of f over [points.front(), points.back()], cut at the points between (where f has kinks). Globally
+/// adaptive: Gauss-Kronrod 10-21, the interval with the largest error is halved until the sum of the errors is below
+/// max(absolute, relative |value|) or rounding forbids more. The error of an interval is QUADPACK's (Piessens et al.
+/// 1983): the difference of the two rules, scaled by how well they converge, never below 50 roundings of the integral
+/// of |f|. The caller sees from `error` whether the tolerance was met.
+Estimate integrate(const BatchFunction& f, std::span<const double> points, const Tolerance& tolerance,
+                   std::size_t max_evaluations = 100000);
+
+} // namespace brdfplot

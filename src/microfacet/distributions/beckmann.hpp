@@ -1,0 +1,35 @@
+/// \file
+/// Beckmann: Gaussian slopes (Heitz 2014, Eqs. 67-69, 81-83).
+#pragma once
+
+#include "microfacet/beckmann_lambda.hpp"
+#include "microfacet/shape_invariant.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace brdfplot {
+
+struct BeckmannShape {
+  static ModelSpec about() {
+    return {.type = "beckmann",
+            .doc = "Gaussian slopes; alpha is sqrt(2) times their root mean square",
+            .source = "Beckmann and Spizzichino 1963; Heitz 2014, Eqs. 67-69, 81-83"};
+  }
+
+  /// exp(-t2) / pi (Eq. 67 with alpha = 1).
+  static double density(double t2) { return std::exp(-t2) * std::numbers::inv_pi; }
+
+  /// exp(-n2 / z2) / (pi z2^2), which is 0 at grazing however fast 1 / z2^2 grows.
+  static double scaled_density(double n2, double z2) {
+    const double numerator = std::exp(-n2 / z2);
+    return numerator > 0 ? numerator * std::numbers::inv_pi / (z2 * z2) : 0;
+  }
+
+  /// a Lambda(a) of Eq. 69; see beckmann_lambda.hpp for the form that does not cancel.
+  static double a_lambda(double a) { return beckmann_a_lambda(a); }
+};
+
+using Beckmann = ShapeInvariant<BeckmannShape>;
+
+} // namespace brdfplot

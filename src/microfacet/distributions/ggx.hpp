@@ -1,0 +1,32 @@
+/// \file
+/// GGX, also known as Trowbridge-Reitz (Heitz 2014, Eqs. 70-72, 84-86).
+#pragma once
+
+#include "microfacet/shape_invariant.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace brdfplot {
+
+struct GgxShape {
+  static ModelSpec about() {
+    return {.type = "ggx",
+            .doc = "slopes with a long tail (Trowbridge-Reitz)",
+            .source = "Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014, Eqs. 70-72, 84-86"};
+  }
+
+  /// 1 / (pi (1 + t2)^2) (Eq. 70 with alpha = 1).
+  static double density(double t2) { return std::numbers::inv_pi / ((1 + t2) * (1 + t2)); }
+
+  /// 1 / (pi (z2 + n2)^2): Eq. 71 without a division by cos theta_m.
+  static double scaled_density(double n2, double z2) { return std::numbers::inv_pi / ((z2 + n2) * (z2 + n2)); }
+
+  /// a Lambda(a) = 1 / (2 (a + sqrt(1 + a^2))): Eq. 72 without the difference that cancels for large a, and without the
+  /// 1/a that is infinite at grazing. hypot keeps a^2 from overflowing.
+  static double a_lambda(double a) { return 0.5 / (a + std::hypot(1.0, a)); }
+};
+
+using Ggx = ShapeInvariant<GgxShape>;
+
+} // namespace brdfplot

@@ -1,0 +1,67 @@
+/// \file
+/// Fresnel reflectance of a microfacet, per channel. The list of types is at the end.
+#pragma once
+
+#include "microfacet/parameters.hpp"
+
+#include <variant>
+
+namespace brdfplot {
+
+/// F = 1.
+struct NoFresnel {
+  static ModelSpec spec() {
+    return {.type = "none", .doc = "a perfect mirror, F = 1", .source = "Heitz 2014, section 3.5"};
+  }
+  static NoFresnel from(const Values&) { return {}; }
+  bool coloured() const { return false; }
+  Rgb reflectance(double) const { return {1, 1, 1}; }
+};
+
+/// F = f0 + (f90 - f0) (1 - c)^exponent.
+struct SchlickFresnel {
+  Rgb f0{};
+  Rgb f90{};
+  double exponent = 5;
+  bool is_rgb = false;
+
+  static ModelSpec spec();
+  static SchlickFresnel from(const Values& values);
+  bool coloured() const { return is_rgb; }
+  Rgb reflectance(double cos_theta) const;
+};
+
+/// Unpolarised reflectance of a smooth dielectric of relative index eta; 1 under total internal reflection (eta < 1).
+struct DielectricFresnel {
+  Rgb eta{};
+  bool is_rgb = false;
+
+  static ModelSpec spec();
+  static DielectricFresnel from(const Values& values);
+  bool coloured() const { return is_rgb; }
+  Rgb reflectance(double cos_theta) const;
+};
+
+/// Unpolarised reflectance of a conductor of relative index eta + i k.
+struct ConductorFresnel {
+  Rgb eta{};
+  Rgb k{};
+  bool is_rgb = false;
+
+  static ModelSpec spec();
+  static ConductorFresnel from(const Values& values);
+  bool coloured() const { return is_rgb; }
+  Rgb reflectance(double cos_theta) const;
+};
+
+/// Reflectance of one channel at the cosine `c` in [0, 1] between direction and facet normal (1).
+double schlick_reflectance(double c, double f0, double f90, double exponent);
+double dielectric_reflectance(double c, double eta);
+double conductor_reflectance(double c, double eta, double k);
+
+using Fresnel = std::variant<NoFresnel,         //
+                             SchlickFresnel,    //
+                             DielectricFresnel, //
+                             ConductorFresnel>;
+
+} // namespace brdfplot

@@ -1,0 +1,27 @@
+/// \file
+/// The list of masking functions. A new one is one file in masking/ and one line here.
+///
+/// Each has either (`has_lambda`) `masked_area(distribution, projection, omega)` = c Lambda, independent of the normal,
+/// or `unmasked_area(projection, o_dot_m, z_m)` = c / G1. Both are finite at grazing, where Lambda is not.
+#pragma once
+
+#include "microfacet/masking/implicit.hpp"
+#include "microfacet/masking/kelemen.hpp"
+#include "microfacet/masking/schlick_smith.hpp"
+#include "microfacet/masking/smith.hpp"
+#include "microfacet/masking/smith_rational.hpp"
+#include "microfacet/masking/v_cavity.hpp"
+
+#include <variant>
+
+namespace brdfplot {
+
+using Masking = std::variant<Smith,                //
+                             SmithRational,        //
+                             VCavity,              //
+                             Implicit,             //
+                             SchlickSmith,         //
+                             SchlickSmithRational, //
+                             Kelemen>;
+
+} // namespace brdfplot

@@ -1,0 +1,42 @@
+/// \file
+/// Smith's masking function (Heitz 2014, Eqs. 43, 69, 72).
+#pragma once
+
+#include "microfacet/distributions/beckmann.hpp"
+#include "microfacet/distributions/ggx.hpp"
+
+#include <string>
+
+namespace brdfplot {
+
+/// G1 = 1 / (1 + Lambda), exact; Lambda of the distribution itself or, as Walter et al. 2007 suggest for Phong, of
+/// another shape at the like roughness.
+struct Smith {
+  enum class LambdaOf { itself, beckmann, ggx } lambda_of = LambdaOf::itself;
+
+  static ModelSpec spec() {
+    return {.type = "smith",
+            .doc = "exact for heights independent of normals",
+            .source = "Smith 1967; Heitz 2014, Eq. 43",
+            .parameters = {{.key = "lambda_of",
+                            .kind = ParameterKind::choice,
+                            .fallback = std::string("itself"),
+                            .doc = "whose Lambda to use; other than `itself` it is an approximation",
+                            .choices = {"itself", "beckmann", "ggx"}}}};
+  }
+  static Smith from(const Values& values) {
+    const std::string name = values.text("lambda_of");
+    return {name == "beckmann" ? LambdaOf::beckmann : name == "ggx" ? LambdaOf::ggx : LambdaOf::itself};
+  }
+  static constexpr bool has_lambda = true;
+
+  /// c Lambda.
+  template <class D>
+  double masked_area(const D& distribution, const Projection& p, const Direction&) const {
+    if (lambda_of == LambdaOf::itself || !(p.s > 0)) return distribution.masked_area(p);
+    const double a = p.c / p.s;
+    return p.s * (lambda_of == LambdaOf::beckmann ? BeckmannShape::a_lambda(a) : GgxShape::a_lambda(a));
+  }
+};
+
+} // namespace brdfplot

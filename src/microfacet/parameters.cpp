@@ -1,0 +1,144 @@
+#include "microfacet/parameters.hpp"
+
+#include "math/number.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace brdfplot {
+
+namespace {
+
+std::string join(const std::vector<std::string>& words, std::string_view separator) {
+  std::string out;
+  for (const auto& word : words) {
+    if (!out.empty()) out += separator;
+    out += word;
+  }
+  return out;
+}
+
+std::vector<std::string> keys_of(const ModelSpec& spec) {
+  std::vector<std::string> keys;
+  for (const auto& parameter : spec.parameters) keys.push_back(parameter.key);
+  return keys;
+}
+
+std::optional<std::string> problem_with(const ParameterSpec& parameter, const Value& value) {
+  const auto outside = [&](double x) -> std::optional<std::string> {
+    if (parameter.bounds.contains(x)) return std::nullopt;
+    return "found " + format_number(x) + ", accepted: " + parameter.bounds.describe();
+  };
+  if (const auto* number = std::get_if<double>(&value)) return outside(*number);
+  if (const auto* pair = std::get_if<Vec2>(&value)) {
+    for (const double x : *pair)
+      if (auto problem = outside(x)) return problem;
+  } else if (const auto* rgb = std::get_if<Rgb>(&value)) {
+    for (const double x : *rgb)
+      if (auto problem = outside(x)) return problem;
+  } else if (const auto& word = std::get<std::string>(value);
+             std::ranges::find(parameter.choices, word) == parameter.choices.end()) {
+    return unknown_name("value", word, parameter.choices);
+  }
+  return std::nullopt;
+}
+
+/// Which alternative is given, or what is wrong.
+std::optional<ParameterError> problem_with_alternatives(const ModelSpec& spec, const Values& given) {
+  if (spec.alternatives.empty()) return std::nullopt;
+  std::vector<std::string> texts;
+  std::size_t whole = 0;
+  std::string first_given;
+  std::string clash;
+  for (const auto& group : spec.alternatives) {
+    texts.push_back(join(group, " with "));
+    const auto count =
+        static_cast<std::size_t>(std::ranges::count_if(group, [&](const auto& k) { return given.has(k); }));
+    if (count == group.size()) ++whole;
+    for (const auto& key : group) {
+      if (!given.has(key)) continue;
+      if (!first_given.empty() && std::ranges::find(group, first_given) == group.end()) clash = key;
+      if (first_given.empty()) first_given = key;
+    }
+  }
+  const std::string accepted = "accepted: either " + join(texts, ", or ");
+  if (!clash.empty()) return ParameterError{clash, "cannot stand beside \"" + first_given + "\"; " + accepted};
+  if (whole == 0 && !first_given.empty())
+    return ParameterError{"", "incomplete with \"" + first_given + "\" alone; " + accepted};
+  if (whole == 0) return ParameterError{"", "\"" + spec.type + "\" has no roughness; " + accepted};
+  return std::nullopt;
+}
+
+} // namespace
+
+std::string Bounds::describe() const {
+  const bool low = min > -infinity;
+  const bool high = max < infinity;
+  if (low && high)
+    return std::string("a number in ") + (open_min ? "(" : "[") + format_number(min) + ", " + format_number(max) +
+           (open_max ? ")" : "]");
+  if (low) return std::string("a number ") + (open_min ? "> " : ">= ") + format_number(min);
+  if (high) return std::string("a number ") + (open_max ? "< " : "<= ") + format_number(max);
+  return "a finite number";
+}
+
+const ParameterSpec* ModelSpec::find(std::string_view key) const {
+  const auto found = std::ranges::find(parameters, key, &ParameterSpec::key);
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+Rgb Values::rgb(std::string_view key) const {
+  const Value& value = map_.find(key)->second;
+  if (const auto* number = std::get_if<double>(&value)) return {*number, *number, *number};
+  return std::get<Rgb>(value);
+}
+
+std::variant<Values, ParameterError> complete(const ModelSpec& spec, const Values& given) {
+  for (const auto& [key, value] : given.map()) {
+    const ParameterSpec* parameter = spec.find(key);
+    if (parameter == nullptr) return ParameterError{key, unknown_name("parameter of " + spec.type, key, keys_of(spec))};
+    if (auto problem = problem_with(*parameter, value)) return ParameterError{key, *problem};
+  }
+  if (auto problem = problem_with_alternatives(spec, given)) return *problem;
+  Values all = given;
+  for (const auto& parameter : spec.parameters) {
+    if (all.has(parameter.key)) continue;
+    if (parameter.fallback) {
+      all.set(parameter.key, *parameter.fallback);
+      continue;
+    }
+    const bool alternative = std::ranges::any_of(
+        spec.alternatives, [&](const auto& group) { return std::ranges::find(group, parameter.key) != group.end(); });
+    if (!alternative)
+      return ParameterError{"", "\"" + spec.type + "\" needs \"" + parameter.key + "\": " + parameter.doc};
+  }
+  return all;
+}
+
+std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& accepted) {
+  const auto distance = [&](std::string_view other) {
+    std::vector<std::size_t> row(other.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= name.size(); ++i) {
+      std::size_t diagonal = row[0];
+      row[0] = i;
+      for (std::size_t j = 1; j <= other.size(); ++j) {
+        const std::size_t replaced = diagonal + (name[i - 1] == other[j - 1] ? 0 : 1);
+        diagonal = row[j];
+        row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+      }
+    }
+    return row.back();
+  };
+  const auto best = std::ranges::min_element(accepted, {}, distance);
+  if (best == accepted.end() || distance(*best) > std::max<std::size_t>(2, name.size() / 3)) return std::nullopt;
+  return *best;
+}
+
+std::string unknown_name(std::string_view what, std::string_view name, const std::vector<std::string>& accepted) {
+  std::string text = "unknown " + std::string(what) + " \"" + std::string(name) + "\"";
+  if (const auto near = nearest(name, accepted)) text += "; did you mean \"" + *near + "\"?";
+  return text + " accepted: " + (accepted.empty() ? "none" : join(accepted, ", "));
+}
+
+} // namespace brdfplot

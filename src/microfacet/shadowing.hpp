@@ -1,0 +1,129 @@
+/// \file
+/// The joint masking-shadowing function G2 (Heitz 2014, section 6), written as V = G2 / (c_o c_i): the form in which
+/// the BRDF needs it and in which nothing is 0 / 0 at grazing. The list of types is at the end.
+#pragma once
+
+#include "microfacet/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace brdfplot {
+
+/// What masking says of the two directions. u = c / G1 is the area seen if nothing were masked; with Smith-like masking
+/// u = c + t, t = c Lambda. All are > 0 (t >= 0) where both directions are above the mesosurface.
+struct MaskedPair {
+  double c_o = 1, u_o = 1, t_o = 0;
+  double c_i = 1, u_i = 1, t_i = 0;
+  double azimuth_difference = 0; ///< of omega_o and omega_i, wrapped to [0, pi]
+};
+
+/// Which empirical factor correlates masking and shadowing by direction.
+enum class DirectionFactor { ashikhmin, ginneken };
+
+/// lambda(phi), phi in [0, pi]: 1 - exp(-7.3 phi^2) (Ashikhmin et al. 2000; RTR4, Eq. 9.29) or 4.41 phi / (4.41 phi +
+/// 1) (van Ginneken et al. 1998; RTR4, Eq. 9.30).
+inline double direction_factor(DirectionFactor which, double phi) {
+  return which == DirectionFactor::ashikhmin ? -std::expm1(-7.3 * phi * phi) : 4.41 * phi / (4.41 * phi + 1);
+}
+
+/// The declaration of `lambda` and its reading, shared by the two types that have it.
+inline ParameterSpec direction_factor_parameter() {
+  return {.key = "lambda",
+          .kind = ParameterKind::choice,
+          .doc = "factor of the azimuth difference (RTR4, Eqs. 9.29-9.30)",
+          .choices = {"ashikhmin", "ginneken"}};
+}
+
+inline DirectionFactor direction_factor_from(const Values& values) {
+  return values.text("lambda") == "ashikhmin" ? DirectionFactor::ashikhmin : DirectionFactor::ginneken;
+}
+
+/// V of min(G1(o), G1(i)).
+inline double minimum_visibility(const MaskedPair& p) { return 1 / std::max(p.c_i * p.u_o, p.c_o * p.u_i); }
+
+struct NoShadowing {
+  static ModelSpec spec() {
+    return {.type = "none", .doc = "G2 = G1(o): masking alone", .source = "Heitz 2014, Eq. 35"};
+  }
+  static NoShadowing from(const Values&) { return {}; }
+  static constexpr bool needs_lambda = false;
+  double visibility(const MaskedPair& p) const { return 1 / (p.c_i * p.u_o); }
+};
+
+struct Separable {
+  static ModelSpec spec() {
+    return {.type = "separable", .doc = "G2 = G1(o) G1(i)", .source = "Walter et al. 2007; Heitz 2014, Eq. 98"};
+  }
+  static Separable from(const Values&) { return {}; }
+  static constexpr bool needs_lambda = false;
+  double visibility(const MaskedPair& p) const { return 1 / (p.u_o * p.u_i); }
+};
+
+struct Minimum {
+  static ModelSpec spec() {
+    return {.type = "minimum",
+            .doc = "G2 = min(G1(o), G1(i)): exact for V-cavities",
+            .source = "Cook and Torrance 1982; Kelemen and Szirmay-Kalos 2001, appendix"};
+  }
+  static Minimum from(const Values&) { return {}; }
+  static constexpr bool needs_lambda = false;
+  double visibility(const MaskedPair& p) const { return minimum_visibility(p); }
+};
+
+struct HeightCorrelated {
+  static ModelSpec spec() {
+    return {.type = "height_correlated",
+            .doc = "G2 = 1 / (1 + Lambda(o) + Lambda(i))",
+            .source = "Ross et al. 2005; Heitz 2014, Eq. 99"};
+  }
+  static HeightCorrelated from(const Values&) { return {}; }
+  static constexpr bool needs_lambda = true;
+  double visibility(const MaskedPair& p) const { return 1 / (p.c_o * p.c_i + p.c_i * p.t_o + p.c_o * p.t_i); }
+};
+
+struct DirectionCorrelated {
+  DirectionFactor lambda = DirectionFactor::ginneken;
+
+  static ModelSpec spec() {
+    return {.type = "direction_correlated",
+            .doc = "G2 = lambda G1(o) G1(i) + (1 - lambda) min(G1(o), G1(i))",
+            .source = "Ashikhmin et al. 2000; Heitz 2014, Eq. 100",
+            .parameters = {direction_factor_parameter()}};
+  }
+  static DirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
+  static constexpr bool needs_lambda = false;
+  double visibility(const MaskedPair& p) const {
+    const double factor = direction_factor(lambda, p.azimuth_difference);
+    return factor / (p.u_o * p.u_i) + (1 - factor) * minimum_visibility(p);
+  }
+};
+
+struct HeightDirectionCorrelated {
+  DirectionFactor lambda = DirectionFactor::ginneken;
+
+  static ModelSpec spec() {
+    return {.type = "height_direction_correlated",
+            .doc = "G2 = 1 / (1 + max(Lambda(o), Lambda(i)) + lambda min(Lambda(o), Lambda(i)))",
+            .source = "van Ginneken et al. 1998; Heitz 2014, Eq. 101",
+            .parameters = {direction_factor_parameter()}};
+  }
+  static HeightDirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
+  static constexpr bool needs_lambda = true;
+  double visibility(const MaskedPair& p) const {
+    const double o = p.c_i * p.t_o;
+    const double i = p.c_o * p.t_i;
+    const double factor = direction_factor(lambda, p.azimuth_difference);
+    return 1 / (p.c_o * p.c_i + std::max(o, i) + factor * std::min(o, i));
+  }
+};
+
+using Shadowing = std::variant<NoShadowing,         //
+                               Separable,           //
+                               Minimum,             //
+                               HeightCorrelated,    //
+                               DirectionCorrelated, //
+                               HeightDirectionCorrelated>;
+
+} // namespace brdfplot

@@ -1,0 +1,42 @@
+/// \file
+/// Every shape-invariant distribution of slopes, from its 1D shape alone (Heitz 2014, sections 5.3-5.5).
+#pragma once
+
+#include "microfacet/slopes.hpp"
+
+namespace brdfplot {
+
+/// A distribution made of a unit-roughness shape and a map of slopes. `Shape` has, all static:
+/// - `ModelSpec about()`: type, doc and source;
+/// - `double density(double t2)`: slope density at squared norm t2, Eq. 65 with alpha = 1;
+/// - `double scaled_density(double n2, double z2)`: density(n2 / z2) / z2^2, finite for z2 -> 0;
+/// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity].
+template <class Shape>
+struct ShapeInvariant {
+  SlopeMap slopes;
+
+  static ModelSpec spec() {
+    ModelSpec spec = Shape::about();
+    spec.parameters = SlopeMap::parameters();
+    spec.alternatives = SlopeMap::alternatives();
+    return spec;
+  }
+  static ShapeInvariant from(const Values& values) { return {SlopeMap::from(values)}; }
+  static constexpr bool shape_invariant = true;
+
+  /// P22 at a slope (Eqs. 74, 95; 1).
+  double p22(double slope_x, double slope_y) const {
+    return Shape::density(slopes.scaled_norm2({-slope_x, -slope_y, 1})) / slopes.determinant();
+  }
+
+  /// D(omega_m) = P22 / cos^4 (Eq. 64; 1/sr); 0 for normals below the geometric surface.
+  double density(const Direction& omega_m) const {
+    if (!(omega_m.z > 0)) return 0;
+    return Shape::scaled_density(slopes.scaled_norm2(omega_m), omega_m.z * omega_m.z) / slopes.determinant();
+  }
+
+  /// c Lambda(a) = s a Lambda(a), the area that the masked facets project; finite at grazing, 0 at the normal. c >= 0.
+  double masked_area(const Projection& p) const { return p.s > 0 ? p.s * Shape::a_lambda(p.c / p.s) : 0; }
+};
+
+} // namespace brdfplot

@@ -1,0 +1,57 @@
+/// \file
+/// The affine map that stretches, correlates and shears a unit-roughness distribution of slopes: written once for every
+/// shape-invariant model (Heitz 2014, section 5).
+#pragma once
+
+#include "math/direction.hpp"
+#include "microfacet/parameters.hpp"
+
+#include <cmath>
+
+namespace brdfplot {
+
+/// A direction as a distribution of slopes sees it.
+struct Projection {
+  double c = 1; ///< projected area of the mesosurface (cos theta when centred)
+  double s = 0; ///< projected roughness, alpha_o sin theta; a = c / s
+};
+
+/// Slopes m~ = mean + L u, with |u| the norm of Eq. 89 and L L^T = Q^-1 (Eq. 88).
+struct SlopeMap {
+  double alpha_x = 1;
+  double alpha_y = 1;
+  double correlation = 0; ///< r_xy in (-1, 1)
+  double mean_x = 0;      ///< slope of the mesosurface (Eq. 94)
+  double mean_y = 0;
+
+  /// sqrt(1 - r^2) without the cancellation of 1 - r^2 for |r| near 1.
+  double decorrelation() const { return std::sqrt((1 - correlation) * (1 + correlation)); }
+
+  /// det L: the area by which the map multiplies.
+  double determinant() const { return alpha_x * alpha_y * decorrelation(); }
+
+  /// c and s of Eqs. 96-97: a = c / s, projected area of the mesosurface c = z - x mean_x - y mean_y (section 5.5), and
+  /// s = |L^T (x, y)| as a sum of squares, so that it does not cancel for |r| near 1.
+  Projection project(const Direction& omega) const {
+    const double along = alpha_x * omega.x + correlation * alpha_y * omega.y;
+    const double across = decorrelation() * alpha_y * omega.y;
+    return {omega.z - omega.x * mean_x - omega.y * mean_y, std::hypot(along, across)};
+  }
+
+  /// z_m^2 |u|^2 for the slope of the normal omega_m: the norm of Eq. 95 without a division by z_m.
+  double scaled_norm2(const Direction& omega_m) const {
+    const double u = (-omega_m.x - mean_x * omega_m.z) / alpha_x;
+    const double v = (-omega_m.y - mean_y * omega_m.z) / alpha_y;
+    const double w = (v - correlation * u) / decorrelation();
+    return u * u + w * w;
+  }
+
+  bool centred() const { return mean_x == 0 && mean_y == 0; }
+
+  /// The parameters `alpha`, or `alpha_x` and `alpha_y`; `correlation`; `mean_slope`.
+  static std::vector<ParameterSpec> parameters();
+  static std::vector<std::vector<std::string>> alternatives() { return {{"alpha"}, {"alpha_x", "alpha_y"}}; }
+  static SlopeMap from(const Values& values);
+};
+
+} // namespace brdfplot

@@ -1,0 +1,18 @@
+/// \file
+/// Smith's Lambda of any isotropic distribution of slopes, by quadrature.
+#pragma once
+
+#include <functional>
+
+namespace brdfplot {
+
+/// mu Lambda(mu), mu = cot theta_o, for an isotropic slope density P22(r):
+///   Lambda(mu) = 2 mu^2 int_0^inf P22(mu sqrt(1 + s^2)) s (s - atan s) ds,
+/// Heitz 2014, Eqs. 40-43 in polar slopes r = mu sqrt(1 + s^2); every term is positive, so nothing cancels.
+/// The density is given as ln P22 of r^2, so that a Lambda of 1e-300 has as many digits as one of 1.
+/// `scale` is where the integrand has its mass in s (any value works; a good one costs fewer points).
+/// Domain mu > 0, P22 r^3 integrable. Relative error about 1e-13.
+/// \throws AccuracyError when the estimate is not below 1e-10.
+double mu_lambda_by_quadrature(const std::function<double(double r2)>& log_p22_of_r2, double mu, double scale);
+
+} // namespace brdfplot

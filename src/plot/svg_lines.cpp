@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "plot/svg_plan.hpp"
+
+namespace brdfplot::plot {
+
+namespace {
+
+/// The part of a segment that lies in a box (Liang and Barsky), or nothing.
+std::optional<std::pair<Point, Point>> clip_segment(Point a, Point b, const Box& box) {
+  double enter = 0;
+  double leave = 1;
+  const auto cut = [&](double start, double delta, double low, double high) {
+    if (delta == 0) return start >= low && start <= high;
+    const double t0 = (low - start) / delta;
+    const double t1 = (high - start) / delta;
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+    return enter <= leave;
+  };
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  if (!cut(a.x, dx, box.x, box.right()) || !cut(a.y, dy, box.y, box.bottom())) return std::nullopt;
+  const Point from = enter > 0 ? Point{a.x + enter * dx, a.y + enter * dy} : a;
+  const Point to = leave < 1 ? Point{a.x + leave * dx, a.y + leave * dy} : b;
+  return std::pair{from, to};
+}
+
+/// Appends what a box shows of a polyline without gaps.
+void append_clipped(PathData& path, const std::vector<Point>& points, const Box& box) {
+  constexpr double dot_radius = 1.6;
+  if (points.size() == 1) {
+    const auto p = points.front();
+    if (p.x >= box.x && p.x <= box.right() && p.y >= box.y && p.y <= box.bottom()) path.dot(p, dot_radius);
+    return;
+  }
+  std::vector<Point> piece;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto part = clip_segment(points[i - 1], points[i], box);
+    if (!part) continue;
+    const auto [from, to] = *part;
+    const bool joins = !piece.empty() && piece.back().x == from.x && piece.back().y == from.y;
+    if (!joins) {
+      append_polyline(path, piece);
+      piece = {from};
+    }
+    piece.push_back(to);
+  }
+  append_polyline(path, piece);
+}
+
+} // namespace
+
+void append_curve(PathData& path, const PanelPlan& plan, const std::vector<double>& x, const std::vector<double>& y) {
+  // A little wider than the plotting area, so that no line end shows at its edge.
+  constexpr double extra = 4;
+  const Box box{plan.plot.x - extra, plan.plot.y - extra, plan.plot.w + 2 * extra, plan.plot.h + 2 * extra};
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    const auto point = to_point(plan, x[i], y[i]);
+    if (std::isnan(point.x) || std::isnan(point.y)) {
+      if (!points.empty()) append_clipped(path, points, box);
+      points.clear();
+    } else {
+      points.push_back(point);
+    }
+  }
+  if (!points.empty()) append_clipped(path, points, box);
+}
+
+void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
+  draw_grid(svg, plan);
+  PathData region;
+  region.rectangle({plan.plot.x - 1, plan.plot.y - 1, plan.plot.w + 2, plan.plot.h + 2});
+  svg.open_clip(plan.id + "-clip", region);
+  for (std::size_t i = 0; i < plan.panel->series.size(); ++i) {
+    const auto& series = plan.panel->series[i];
+    PathData path;
+    append_curve(path, plan, series.x, series.y);
+    svg.path(path, {"bp-no bp-line bp-" + plan.looks[i].colour, 2, dash(plan.looks[i].dash), {}});
+  }
+  svg.close_group();
+  draw_axes(svg, plan);
+}
+
+} // namespace brdfplot::plot
