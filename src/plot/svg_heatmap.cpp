@@ -45,20 +45,20 @@ int colour_index(const PanelPlan& plan, double value) {
 }
 
 /// Cells of one colour beside each other in a row, which may go on in the rows that follow.
-struct Run {
+struct CellRun {
   std::size_t from = 0;
   std::size_t to = 0;
   int colour = 0;
   std::size_t first_row = 0;
 
-  [[nodiscard]] bool continues(const Run& below) const {
+  [[nodiscard]] bool continues(const CellRun& below) const {
     return from == below.from && to == below.to && colour == below.colour;
   }
 };
 
-std::vector<Run> runs_of_row(const PanelPlan& plan, std::size_t row) {
+std::vector<CellRun> runs_of_row(const PanelPlan& plan, std::size_t row) {
   const auto& grid = *plan.panel->grid;
-  std::vector<Run> runs;
+  std::vector<CellRun> runs;
   for (std::size_t i = 0; i < grid.x.size(); ++i) {
     const std::size_t at = row * grid.x.size() + i;
     const int colour = at < grid.value.size() ? colour_index(plan, grid.value[at]) : undefined;
@@ -76,12 +76,12 @@ public:
   explicit Cells(const PanelPlan& plan)
       : plan_(plan), x_(cell_edges(plan.panel->grid->x, plan.x, plan.panel->x.scale)),
         y_(cell_edges(plan.panel->grid->y, plan.y, plan.panel->y.scale)) {
-    std::vector<Run> open;
+    std::vector<CellRun> open;
     const std::size_t rows = plan.panel->grid->y.size();
     for (std::size_t row = 0; row < rows; ++row) {
       auto runs = runs_of_row(plan, row);
       for (const auto& run : open) {
-        const auto same = std::find_if(runs.begin(), runs.end(), [&](const Run& r) { return r.continues(run); });
+        const auto same = std::find_if(runs.begin(), runs.end(), [&](const CellRun& r) { return r.continues(run); });
         if (same != runs.end()) {
           same->first_row = run.first_row;
         } else {
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  void add(const Run& run, std::size_t end_row) {
+  void add(const CellRun& run, std::size_t end_row) {
     const auto& plot = plan_.plot;
     const double left = plot.x + x_[run.from] * plot.w;
     const double right = plot.x + x_[run.to] * plot.w;

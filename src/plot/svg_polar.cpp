@@ -61,7 +61,8 @@ void place_outside(std::vector<PolarLabel>& labels, const std::string& text, dou
   if (text.empty()) return;
   Box box = outside_box(text, size, theta, r);
   const auto covered = [&] {
-    return std::any_of(labels.begin(), labels.end(), [&](const PolarLabel& other) { return box.touches(other.box, 3); });
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const PolarLabel& other) { return box.touches(other.box, 3); });
   };
   for (int tries = 0; tries < 60 && covered(); ++tries) box = outside_box(text, size, theta, r += 2);
   labels.push_back({text, size, box});
@@ -109,7 +110,8 @@ Ticks ring_ticks(const PanelPlan& plan, double radius) {
     bool clear = radius / std::max<double>(1, static_cast<double>(ticks.major.size()) - 1) >= 20;
     for (std::size_t i = 1; i < ticks.major.size(); ++i) {
       const auto place = [&](std::size_t k) { return place_in(plan.y, axis.scale, ticks.major[k].value) * radius; };
-      const double width = text_width(ticks.major[i].label, font::tick) + text_width(ticks.major[i - 1].label, font::tick);
+      const double width =
+          text_width(ticks.major[i].label, font::tick) + text_width(ticks.major[i - 1].label, font::tick);
       clear = clear && place(i) - place(i - 1) >= width / 2 + 6;
     }
     if (clear) return ticks;
@@ -122,7 +124,8 @@ void place_labels(PanelPlan& plan, double radius) {
   plan.y_ticks = ring_ticks(plan, radius);
   place_ring_labels(plan, radius, full);
   for (const auto& spoke : spokes(plan.panel->x, full).major) {
-    plan.labels.push_back({spoke.label, font::tick, outside_box(spoke.label, font::tick, spoke.value, radius + tip + 4)});
+    plan.labels.push_back(
+        {spoke.label, font::tick, outside_box(spoke.label, font::tick, spoke.value, radius + tip + 4)});
   }
   for (const auto& arrow : plan.panel->arrows) {
     place_outside(plan.labels, arrow.label, font::axis, arrow.theta, radius + tip + 5);
@@ -197,7 +200,8 @@ void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
     }
     flush();
     const auto& look = plan.looks[i];
-    svg.path(path, {"bp-line bp-" + look.colour + " bp-f-" + look.colour, 2, dash(look.dash), " fill-opacity=\"0.07\""});
+    svg.path(path,
+             {"bp-line bp-" + look.colour + " bp-f-" + look.colour, 2, dash(look.dash), " fill-opacity=\"0.07\""});
   }
 }
 
@@ -208,7 +212,8 @@ void draw_arrow(SvgWriter& svg, const Disc& disc, const Arrow& arrow) {
   const double outer = disc.radius + tip;
   const double point = arrow.incoming ? 0 : outer;
   const double base = arrow.incoming ? head : outer - head;
-  svg.line(disc.at(arrow.theta, arrow.incoming ? outer : 0), disc.at(arrow.theta, base), {"bp-no bp-arrow", 1.3, {}, {}});
+  svg.line(disc.at(arrow.theta, arrow.incoming ? outer : 0), disc.at(arrow.theta, base),
+           {"bp-no bp-arrow", 1.3, {}, {}});
   const Point side{half * std::cos(arrow.theta), half * std::sin(arrow.theta)};
   const Point middle = disc.at(arrow.theta, base);
   PathData triangle;
