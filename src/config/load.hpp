@@ -1,0 +1,71 @@
+/// \file
+/// Files of brdfplot: JSON to typed values. Nothing outside this folder sees JSON.
+///
+/// Every function throws InputError for bad content, with WHERE as the contract has it (`FILE:LINE:COLUMN` for syntax,
+/// `FILE: /json/pointer` for values, in the file in which the value stands when it came through a `$ref`), and
+/// FileError when a file cannot be read. `-` is not a file name here.
+#pragma once
+
+#include "analysis/properties.hpp"
+#include "brdf/material.hpp"
+#include "plot/description.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace brdfplot::config {
+
+/// A material that is complete and can be built: name (the file's stem when it gives none).
+MaterialDescription load_material(const std::string& path);
+
+/// A figure with the text of its file.
+struct FigureFile {
+  plot::FigureDescription figure;
+  std::string json;
+};
+
+FigureFile load_figure(const std::string& path);
+
+/// One entry of a report: a figure or a table, with its JSON.
+struct ReportEntry {
+  std::string section;
+  std::variant<plot::FigureDescription, PropertyTableDescription> what;
+  std::string json;
+};
+
+struct ReportFile {
+  std::string id; ///< stem of the manifest's name
+  std::string title;
+  std::string introduction;
+  std::vector<ReportEntry> entries;
+};
+
+ReportFile load_report(const std::string& path);
+
+/// The kinds of file that have a schema: material, figure, report.
+const std::vector<std::string>& kinds();
+
+/// The JSON Schema (draft 2020-12) of a kind, indented, ending in a newline. \throws InputError for an unknown kind.
+std::string schema(const std::string& kind);
+
+/// Reads a file as what it is (its kind is told by its keys), without computing; returns the kind.
+std::string validate(const std::string& path);
+
+/// An angle on the command line or in JSON: "80deg", "1.5rad", or a number in radians. Nothing when it is none.
+std::optional<double> parse_angle(std::string_view text);
+
+/// What report.json says of one entry.
+struct EntryRecord {
+  std::string id;
+  std::string kind; ///< figure or table
+  std::vector<std::string> files;
+  double seconds = 0;
+  std::vector<PropertyRow> rows; ///< tables: the residuals
+};
+
+/// The text of report.json.
+std::string report_record(const ReportFile& report, const std::string& version, const std::vector<EntryRecord>& entries,
+                          double seconds);
+
+} // namespace brdfplot::config

@@ -1,0 +1,83 @@
+/// \file
+/// A figure before it is computed: which quantities of which materials are swept over what. The JSON of a figure is
+/// read into this; compute() turns it into a Figure.
+#pragma once
+
+#include "brdf/material.hpp"
+#include "plot/model.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace brdfplot::plot {
+
+/// A variable with its value. Variables are
+/// - directions: theta_o, phi_o, theta_i, phi_i, theta_m, phi_m (radians);
+/// - `a`: theta_o such that 1 / (alpha_o tan theta_o) = a; `slope`: theta_m = atan slope;
+/// - transformations of the whole configuration, directions included: stretch_x, stretch_y (Heitz 2014, section 5.1),
+///   shear_x, shear_y (section 5.5);
+/// - any number among the material's parameters (alpha, exponent, gamma, f0, ...);
+/// - with text: `distribution`, `masking`, `shadowing`, `fresnel`, the type of the model.
+struct Setting {
+  std::string variable;
+  std::variant<double, std::string> value;
+};
+
+/// A quantity of a material (see quantities() and integrals()), with what is fixed.
+struct Term {
+  std::string quantity;
+  MaterialDescription material;
+  std::vector<Setting> at;
+};
+
+/// A term, or a combination of expressions.
+struct Expression {
+  enum class Operation { term, difference, ratio, absolute } operation = Operation::term;
+  Term term;                        ///< for Operation::term
+  std::vector<Expression> operands; ///< two for difference and ratio, one for absolute
+};
+
+struct SeriesDescription {
+  std::string label;
+  Expression value;
+  std::optional<double> ramp;
+};
+
+struct ContourDescription {
+  std::string label;
+  double level = 0;
+};
+
+struct PanelDescription {
+  std::string title;
+  Axis x; ///< swept: `column` is the variable, from and to are given
+  Axis y; ///< the value, or (heat map) swept too
+  std::vector<SeriesDescription> series;
+  std::vector<Arrow> arrows; ///< polar
+  std::optional<Axis> value; ///< heat map: the value of series[0]
+  std::vector<ContourDescription> contours;
+};
+
+struct FigureDescription {
+  std::string id;
+  std::string title;
+  std::string caption;
+  Kind kind = Kind::lines;
+  int columns = 1;
+  Share share = Share::none;
+  double tolerance = 1e-7; ///< of integrals
+  int cells = 96;          ///< heat map: cells along each axis
+  std::vector<PanelDescription> panels;
+};
+
+/// Names of the variables that are not material parameters.
+const std::vector<std::string>& direction_variables();
+
+/// Evaluates everything. Lines and lobes are sampled adaptively: see sampling.hpp.
+/// \throws InputError when a series cannot be evaluated (a missing direction, a parameter out of its bounds), naming
+/// it; AccuracyError when an integral misses the figure's tolerance.
+Figure compute(const FigureDescription& description);
+
+} // namespace brdfplot::plot
