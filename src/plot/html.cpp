@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -179,7 +179,7 @@ void append_entry(std::string& out, const Numbered& numbered) {
   out += table ? "\" class=\"table\">\n" : "\">\n";
   if (table) append_caption(out, numbered);
   if (table) append_table(out, entry.table);
-  out += entry.svg;
+  if (!entry.svg.empty()) out += "<div class=\"plot\" tabindex=\"0\">\n" + entry.svg + "</div>\n";
   if (!table) append_caption(out, numbered);
   append_tools(out, entry);
   out += "</figure>\n";

@@ -32,6 +32,7 @@ padding:2.2rem 0 2rem;font-size:.875rem;line-height:1.4}
 .toc .number{color:var(--soft)}
 h2{font-size:1.4rem;line-height:1.25;margin:2.5rem 0 .5rem;padding-top:.5rem;border-top:1px solid var(--line)}
 figure{margin:1.5rem 0 2.5rem;scroll-margin-top:1rem}
+.plot{overflow-x:auto}
 figure svg{display:block;width:100%;height:auto}
 figcaption{font-size:.925rem;margin:.5rem 0;overflow-wrap:anywhere}
 .tools{display:flex;flex-wrap:wrap;gap:.3rem 1rem;font-size:.85rem;color:var(--soft);align-items:baseline}
@@ -40,7 +41,7 @@ details.config summary{cursor:pointer;color:var(--soft)}
 pre{background:var(--panel);border:1px solid var(--line);border-radius:4px;padding:.75rem;overflow:auto;max-height:28rem;
 font:.8rem/1.45 ui-monospace,"SFMono-Regular",Menlo,Consolas,"DejaVu Sans Mono",monospace}
 .scroll{overflow-x:auto}
-.scroll:focus-visible{outline:2px solid var(--link)}
+.scroll:focus-visible,.plot:focus-visible{outline:2px solid var(--link)}
 table{border-collapse:collapse;font-size:.875rem;font-variant-numeric:tabular-nums;min-width:100%}
 th,td{padding:.35rem .7rem;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
 th{border-bottom:2px solid var(--soft);white-space:nowrap}
@@ -58,6 +59,9 @@ border:1px solid var(--line);border-radius:4px}
 .toc a{padding:.3rem 0}
 h2{font-size:1.25rem}
 }
+@media screen and (max-width:36rem){
+figure svg{min-width:33rem}
+}
 )css";
 
 constexpr std::string_view print = R"css(
@@ -71,7 +75,7 @@ figure svg{max-width:17cm;max-height:21cm;margin:0 auto}
 figure.table{break-inside:auto}
 tr{break-inside:avoid}
 thead{display:table-header-group}
-.scroll{overflow:visible}
+.scroll,.plot{overflow:visible}
 h2{break-after:avoid}
 a{color:inherit;text-decoration:none}
 }

@@ -63,12 +63,15 @@ double tick_step(const Axis& axis, double span) {
   return (raw < 2 * power ? power : raw < 5 * power ? 2 * power : 5 * power) * unit;
 }
 
-/// Moves the end of a logarithmic range outward (by the sign of `direction`) to the next of 1, 2, 5 or decade.
+/// Moves the end of a logarithmic range outward (by the sign of `direction`): to the decade when it is near, but never
+/// so that data lie on the frame.
 double widen_log(double bound, int direction, double decades) {
   const double exponent = std::log10(bound);
-  const double decade = direction < 0 ? std::floor(exponent + 1e-9) : std::ceil(exponent - 1e-9);
-  if (std::abs(decade - exponent) < 0.35 || decades > 8) return std::pow(10.0, decade);
-  return std::pow(10.0, exponent + direction * std::max(0.04 * decades, 0.02));
+  const double margin = std::max(0.03 * decades, 0.02);
+  const double decade = direction < 0 ? std::floor(exponent - 1e-9) : std::ceil(exponent + 1e-9);
+  const double gap = std::abs(decade - exponent);
+  if (gap >= margin && (gap < 0.35 || decades > 8)) return std::pow(10.0, decade);
+  return std::pow(10.0, exponent + direction * margin);
 }
 
 Range log_range(double from, double to) {
@@ -129,12 +132,12 @@ Range radius_range(const Axis& axis, const Extent& data) {
     return with_bounds(axis, {std::min(decade, to / 10), to});
   }
   const double most = data.empty() || data.to() <= 0 ? 1 : data.to();
-  // The round number that leaves the least of the disc unused, with three to six rings.
+  // The round number that leaves the least of the disc unused, with three to eight rings.
   double best = std::numeric_limits<double>::infinity();
   const double power = std::pow(10.0, std::floor(std::log10(most)) - 1);
   for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
     const double rings = std::ceil(most / (step * power) - 1e-6);
-    if (rings >= 3 && rings <= 6) best = std::min(best, rings * step * power);
+    if (rings >= 3 && rings <= 8) best = std::min(best, rings * step * power);
   }
   return with_bounds(axis, {0, best});
 }

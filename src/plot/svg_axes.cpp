@@ -171,8 +171,8 @@ void draw_axes(SvgWriter& svg, const PanelPlan& plan) {
     svg.text({x, y + 0.35 * font::tick}, tick.label, font::tick, Anchor::end);
   }
   svg.lines({plan.plot.x + plan.plot.w / 2, below + 1.1 * font::tick + 5}, plan.x_title, Anchor::middle);
-  const double labels = tick_length + label_gap + widest_label(plan.y_ticks) + 6;
-  svg.upward({plan.plot.x - labels - plan.y_title.height() / 2, plan.plot.y + plan.plot.h / 2}, plan.y_title);
+  const double left = plan.plot.x - plan.insets.left + plan.y_title.height() / 2;
+  svg.upward({left, plan.plot.y + plan.plot.h / 2}, plan.y_title);
 }
 
 } // namespace brdfplot::plot

@@ -76,13 +76,19 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
   PathData region;
   region.rectangle({plan.plot.x - 1, plan.plot.y - 1, plan.plot.w + 2, plan.plot.h + 2});
   svg.open_clip(plan.id + "-clip", region);
+  bool empty = true;
   for (std::size_t i = 0; i < plan.panel->series.size(); ++i) {
     const auto& series = plan.panel->series[i];
     PathData path;
     append_curve(path, plan, series.x, series.y);
+    empty = empty && path.empty();
     svg.path(path, {"bp-no bp-line bp-" + plan.looks[i].colour, 2, dash(plan.looks[i].dash), {}});
   }
   svg.close_group();
+  if (empty) {
+    const Point middle{plan.plot.x + plan.plot.w / 2, plan.plot.y + plan.plot.h / 2};
+    svg.text(middle, "no values to show", font::axis, Anchor::middle, "bp-muted");
+  }
   draw_axes(svg, plan);
 }
 

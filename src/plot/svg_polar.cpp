@@ -94,28 +94,54 @@ void place_ring_labels(PanelPlan& plan, double radius, bool full) {
   const double direction = full ? quiet_direction(plan) : pi / 2;
   for (const auto& tick : plan.y_ticks.major) {
     const double r = radius * place_in(plan.y, plan.panel->y.scale, tick.value);
-    if (full && (r < 1 || r > radius - 1)) continue;
+    if (tick.label.empty() || (full && (r < 1 || r > radius - 1))) continue;
     const double w = text_width(tick.label, font::tick);
     const double y = full ? -r * std::cos(direction) - font::tick / 2 : 9;
     plan.labels.push_back({tick.label, font::tick, {r * std::sin(direction) - w / 2, y, w, font::tick}});
   }
 }
 
-/// As many rings as have room for their labels.
-Ticks ring_ticks(const PanelPlan& plan, double radius) {
-  const auto& axis = plan.panel->y;
-  for (int most = 7;; --most) {
-    auto ticks = make_ticks(axis, plan.y, most);
-    if (most == 2) return ticks;
-    bool clear = radius / std::max<double>(1, static_cast<double>(ticks.major.size()) - 1) >= 20;
-    for (std::size_t i = 1; i < ticks.major.size(); ++i) {
-      const auto place = [&](std::size_t k) { return place_in(plan.y, axis.scale, ticks.major[k].value) * radius; };
-      const double width =
-          text_width(ticks.major[i].label, font::tick) + text_width(ticks.major[i - 1].label, font::tick);
-      clear = clear && place(i) - place(i - 1) >= width / 2 + 6;
-    }
-    if (clear) return ticks;
+/// Whether the labels of each `every`-th ring, counted from the outermost, keep clear of each other.
+bool every_clear(const Ticks& ticks, const std::vector<double>& radii, std::size_t every) {
+  for (std::size_t i = ticks.major.size() - 1; !ticks.major.empty() && i >= every; i -= every) {
+    const double width =
+        text_width(ticks.major[i].label, font::tick) + text_width(ticks.major[i - every].label, font::tick);
+    if (radii[i] - radii[i - every] < width / 2 + 5) return false;
   }
+  return true;
+}
+
+/// Each how many rings have a label: so many that the labels are clear, and rather such that the centre has one too.
+std::size_t label_every(const Ticks& ticks, const std::vector<double>& radii) {
+  const std::size_t rings = ticks.major.empty() ? 0 : ticks.major.size() - 1;
+  for (std::size_t every = 1; 2 * every <= rings; ++every) {
+    if (rings % every == 0 && every_clear(ticks, radii, every)) return every;
+  }
+  std::size_t every = 1;
+  while (every <= rings && !every_clear(ticks, radii, every)) ++every;
+  return every;
+}
+
+/// The rings, the outermost among them where the range ends round; those whose labels have no room stay without.
+Ticks ring_ticks(const PanelPlan& plan, double radius) {
+  constexpr double closest = 16;
+  const auto& axis = plan.panel->y;
+  const auto rings = [&](const Ticks& t) { return t.major.empty() ? 0.0 : static_cast<double>(t.major.size() - 1); };
+  const auto ends_round = [&](const Ticks& t) {
+    return !t.major.empty() && place_in(plan.y, axis.scale, t.major.back().value) > 1 - 1e-6;
+  };
+  int most = 9;
+  auto ticks = make_ticks(axis, plan.y, most);
+  while (most > 3 && (!ends_round(ticks) || rings(ticks) * closest > radius)) ticks = make_ticks(axis, plan.y, --most);
+  if (!ends_round(ticks)) ticks = make_ticks(axis, plan.y, std::clamp(static_cast<int>(radius / 24), 3, 9));
+
+  std::vector<double> radii;
+  for (const auto& tick : ticks.major) radii.push_back(radius * place_in(plan.y, axis.scale, tick.value));
+  const std::size_t every = label_every(ticks, radii);
+  for (std::size_t i = 0; i < ticks.major.size(); ++i) {
+    if ((ticks.major.size() - 1 - i) % every != 0) ticks.major[i].label.clear();
+  }
+  return ticks;
 }
 
 void place_labels(PanelPlan& plan, double radius) {
@@ -205,15 +231,15 @@ void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
   }
 }
 
-/// An arrow along a direction: its head at the outer end, or at the surface point when the light comes in.
+/// An arrow along a direction. Its head is at the outer end, or, when the light comes in, halfway: at the surface point
+/// the heads of several arrows would cover each other and the lobes.
 void draw_arrow(SvgWriter& svg, const Disc& disc, const Arrow& arrow) {
   constexpr double head = 10;
   constexpr double half = 3.6;
   const double outer = disc.radius + tip;
-  const double point = arrow.incoming ? 0 : outer;
-  const double base = arrow.incoming ? head : outer - head;
-  svg.line(disc.at(arrow.theta, arrow.incoming ? outer : 0), disc.at(arrow.theta, base),
-           {"bp-no bp-arrow", 1.3, {}, {}});
+  const double point = arrow.incoming ? outer / 2 : outer;
+  const double base = arrow.incoming ? point + head : point - head;
+  svg.line(disc.centre, disc.at(arrow.theta, arrow.incoming ? outer : base), {"bp-no bp-arrow", 1.3, {}, {}});
   const Point side{half * std::cos(arrow.theta), half * std::sin(arrow.theta)};
   const Point middle = disc.at(arrow.theta, base);
   PathData triangle;

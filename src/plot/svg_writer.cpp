@@ -157,6 +157,8 @@ void SvgWriter::text(Point at, std::string_view label, double size, Anchor ancho
   attribute("font-size", size);
   if (anchor != Anchor::start) out_.append(" text-anchor=\"").append(anchor_name(anchor)).append("\"");
   if (bold) out_ += " font-weight=\"bold\"";
+  // Some renderers drop a blank after a subscript otherwise.
+  if (label.find_first_of("_^") != std::string_view::npos) out_ += " xml:space=\"preserve\"";
   out_ += '>';
   append_tspans(out_, label, size);
   out_ += "</text>\n";

@@ -1,0 +1,32 @@
+/// \file
+/// Sampling a curve where it bends.
+#pragma once
+
+#include "plot/model.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace brdfplot::plot {
+
+/// What is drawn and how finely.
+struct CurveRequest {
+  Axis x;                    ///< swept from x.from to x.to, on its scale
+  Axis y;                    ///< where the values are drawn; its range, where given, bounds what matters
+  bool polar = false;        ///< (x, y) are angle and radius
+  std::vector<double> seeds; ///< values of x around which there may be something narrow
+  int initial = 129;         ///< evenly spaced points to begin with
+};
+
+struct Curve {
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
+/// Points of y(x) so close that the polyline through them is within 5e-4 of the curve, in units of the plot's size, as far
+/// as halving intervals shows: each is halved until its midpoint lies on the chord, down to 1e-7 of the range (so a jump
+/// is drawn as a vertical line). Around each seed the first points are spaced geometrically. At the end points that the
+/// polyline does not need are dropped. Deterministic.
+Curve sample(const std::function<double(double)>& y, const CurveRequest& request);
+
+} // namespace brdfplot::plot

@@ -1,0 +1,118 @@
+#include "plot/term.hpp"
+
+#include "microfacet/registry.hpp"
+
+#include <algorithm>
+
+namespace brdfplot::plot {
+
+namespace {
+
+Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
+
+/// The names under which a term's quantity may go.
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
+  for (const auto& info : quantities()) names.push_back(info.name);
+  for (const auto& info : integrals()) names.push_back(info.name);
+  return names;
+}
+
+} // namespace
+
+const std::vector<std::string>& direction_variables() {
+  static const std::vector<std::string> names = {"theta_o", "phi_o",   "theta_i",   "phi_i",     "theta_m", "phi_m",
+                                                 "a",       "slope",   "stretch_x", "stretch_y", "shear_x", "shear_y"};
+  return names;
+}
+
+void Configuration::set(const Setting& setting) {
+  const auto& names = direction_variables();
+  const auto found = std::ranges::find(names, setting.variable);
+  if (const auto* text = std::get_if<std::string>(&setting.value)) {
+    if (setting.variable == "distribution") material_.distribution.type = *text;
+    else if (setting.variable == "masking") material_.masking = {.type = *text, .values = {}};
+    else if (setting.variable == "shadowing") material_.shadowing = ModelChoice{.type = *text, .values = {}};
+    else if (setting.variable == "fresnel") material_.fresnel.type = *text;
+    else
+      throw InputError("", "\"" + setting.variable + "\" cannot be \"" + *text + "\"; accepted as text: distribution, masking, shadowing, fresnel");
+    return;
+  }
+  const double value = std::get<double>(setting.value);
+  if (found == names.end()) return set_parameter(material_, setting.variable, value);
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  if (index < 6) angle_[index] = value;
+  else if (index == 6) a_ = value;
+  else if (index == 7) slope_ = value;
+  else if (index < 10) stretch_[index - 8] = value;
+  else shear_[index - 10] = value;
+}
+
+std::optional<Direction> Configuration::direction(std::size_t which) const {
+  const auto& theta = angle_[2 * which];
+  const auto& phi = angle_[2 * which + 1];
+  if (!theta) return std::nullopt;
+  return from_angles(*theta, phi.value_or(0));
+}
+
+void Configuration::transform(MaterialDescription& material, std::optional<Direction>& o, std::optional<Direction>& i,
+                              std::optional<Direction>& m) const {
+  const Material before = build(material);
+  if (!std::visit([](const auto& d) { return d.shape_invariant; }, before.distribution))
+    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" + material.distribution.type + "\" is none");
+  const SlopeMap& map = before.slopes();
+  Values values;
+  values.set("alpha_x", map.alpha_x / stretch_[0]);
+  values.set("alpha_y", map.alpha_y / stretch_[1]);
+  values.set("correlation", map.correlation);
+  values.set("mean_slope", Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
+  material.distribution.values = values;
+  for (auto* direction : {&o, &i}) {
+    if (!*direction) continue;
+    const Direction d = stretched(**direction, stretch_[0], stretch_[1]);
+    *direction = normalized({d.x, d.y, d.z + shear_[0] * d.x + shear_[1] * d.y});
+  }
+  if (m) {
+    const Direction d = stretched(*m, 1 / stretch_[0], 1 / stretch_[1]);
+    *m = normalized({d.x - shear_[0] * d.z, d.y - shear_[1] * d.z, d.z});
+  }
+}
+
+Configuration::Ready Configuration::ready() const {
+  auto o = direction(0), i = direction(1), m = direction(2);
+  MaterialDescription material = material_;
+  if (a_) {
+    const double phi = angle_[1].value_or(0);
+    const double alpha_o = build(material).slopes().project(from_angles(std::acos(0.0), phi)).s;
+    o = from_angles(std::atan2(1.0, *a_ * alpha_o), phi);
+  }
+  if (slope_) m = from_angles(std::atan(*slope_), angle_[5].value_or(0));
+  if (stretch_ != Vec2{1, 1} || shear_ != Vec2{0, 0}) transform(material, o, i, m);
+  return {build(material), o, i, m};
+}
+
+TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, double tolerance)
+    : fixed_(term.material), swept_(std::move(swept)), tolerance_(tolerance) {
+  for (const auto& info : quantities())
+    if (info.name == term.quantity) quantity_ = info.quantity;
+  for (const auto& info : integrals())
+    if (info.name == term.quantity) integral_ = info.integral;
+  if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
+  for (const auto& setting : term.at) fixed_.set(setting);
+}
+
+double TermFunction::operator()(const std::vector<double>& values) const {
+  Configuration configuration = fixed_;
+  for (std::size_t k = 0; k < swept_.size(); ++k) configuration.set({swept_[k], values[k]});
+  const auto ready = configuration.ready();
+  if (integral_) {
+    if (!ready.o) throw InputError("", "this quantity needs theta_o");
+    return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
+  }
+  const auto& info = quantities()[static_cast<std::size_t>(*quantity_)];
+  require(ready.material, info, ready.o.has_value(), ready.i.has_value(), ready.m.has_value());
+  return evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i,
+                  ready.m || !ready.i ? ready.m : std::nullopt);
+}
+
+} // namespace brdfplot::plot

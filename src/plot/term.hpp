@@ -1,0 +1,64 @@
+/// \file
+/// A term of a figure as a function of what is swept.
+#pragma once
+
+#include "analysis/integrals.hpp"
+#include "plot/description.hpp"
+
+#include <array>
+#include <optional>
+
+namespace brdfplot::plot {
+
+/// A configuration being set up: a material and directions.
+class Configuration {
+public:
+  explicit Configuration(const MaterialDescription& material) : material_(material) {}
+
+  /// \throws InputError (MaterialError) when nothing has this variable.
+  void set(const Setting& setting);
+
+  /// Where everything stands after the transformations.
+  struct Ready {
+    Material material;
+    std::optional<Direction> o, i, m;
+  };
+  Ready ready() const;
+
+  /// Polar angle of omega_o, where it is set.
+  std::optional<double> theta_o() const { return angle_[0]; }
+
+private:
+  std::optional<Direction> direction(std::size_t which) const;
+  void transform(MaterialDescription& material, std::optional<Direction>& o, std::optional<Direction>& i,
+                 std::optional<Direction>& m) const;
+
+  MaterialDescription material_;
+  std::array<std::optional<double>, 6> angle_; ///< theta and phi of o, i, m
+  std::optional<double> a_;
+  std::optional<double> slope_;
+  Vec2 stretch_{1, 1};
+  Vec2 shear_{0, 0};
+};
+
+/// A term at given values of the swept variables.
+class TermFunction {
+public:
+  /// \throws InputError when the quantity is unknown or cannot be had: a direction is missing, a model or parameter is
+  /// not there. `swept`: the variables that will be given to operator().
+  TermFunction(const Term& term, std::vector<std::string> swept, double tolerance);
+
+  double operator()(const std::vector<double>& values) const;
+
+  bool is_integral() const { return integral_.has_value(); }
+  const Configuration& fixed() const { return fixed_; }
+
+private:
+  Configuration fixed_;
+  std::vector<std::string> swept_;
+  std::optional<Quantity> quantity_;
+  std::optional<Integral> integral_;
+  double tolerance_;
+};
+
+} // namespace brdfplot::plot
