@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <numbers>
 
 namespace brdfplot {
 
@@ -30,6 +31,15 @@ std::optional<double> parse_number(std::string_view text) {
   if (error == std::errc::result_out_of_range) return std::strtod(std::string(text).c_str(), nullptr);
   if (error != std::errc()) return std::nullopt;
   return value;
+}
+
+std::optional<double> parse_angle(std::string_view text) {
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+  if (text.ends_with("rad")) return parse_number(text.substr(0, text.size() - 3));
+  if (!text.ends_with("deg")) return parse_number(text);
+  const auto degrees = parse_number(text.substr(0, text.size() - 3));
+  if (!degrees) return std::nullopt;
+  return *degrees / 180 * std::numbers::pi;
 }
 
 } // namespace brdfplot

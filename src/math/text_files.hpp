@@ -1,0 +1,69 @@
+/// \file
+/// Reading and writing of files. What is written appears under its final name only when it is complete.
+///
+/// `-` names stdin or stdout where a class says so. Every failure is a FileError with the file as WHERE; waiting for a
+/// pipe or a terminal ends with Interrupted when the user presses Ctrl-C.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace brdfplot {
+
+/// The whole of a file.
+std::string read_text_file(const std::string& path);
+
+/// Writes a file at once (see OutputFile).
+void write_text_file(const std::string& path, std::string_view text);
+
+/// Creates a folder and those above it, where they are missing.
+void create_folders(const std::string& path);
+
+/// Deletes a file.
+void remove_file(const std::string& path);
+
+/// Bytes of a file, or of stdin (`-`).
+class InputFile {
+public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  /// Reads what there is, up to `size` bytes, and waits only when there is nothing. 0 at the end.
+  std::size_t read(char* to, std::size_t size);
+
+private:
+  std::string name_;
+  int fd_ = -1;
+  bool waits_ = false; ///< a pipe or a terminal
+};
+
+/// A file being written, or stdout (`-`). A regular file is written beside its place, under a temporary name;
+/// commit() flushes it to the disk and renames it. Without commit() the destructor removes it, and what stood in the
+/// place before stays. Links are followed; what is no regular file (a device, a pipe) is written to as it is.
+class OutputFile {
+public:
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  void write(std::string_view text);
+  void commit();
+
+private:
+  void open_temporary();
+  [[noreturn]] void fail(int error) const;
+
+  std::string name_;
+  std::string target_;    ///< of the rename; empty: written in place
+  std::string temporary_; ///< exists; empty: none
+  int fd_ = -1;
+  bool waits_ = false;
+};
+
+} // namespace brdfplot
