@@ -1,7 +1,7 @@
 # Sourced by scripts/report, scripts/test and .ci/run: what they need of Debian, and the build in build/.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 
 step() { printf '==> %s\n' "$*"; }
 
@@ -35,7 +35,7 @@ require_packages() {
   fi
 }
 
-# Configures build/ and builds the given targets, or all.
+# Configures build/ and builds the given targets.
 build_release() {
   step "Configuring build/"
   local options=()
