@@ -1,0 +1,39 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "plot/figures.hpp"
+#include "plot/model.hpp"
+
+namespace {
+
+using namespace brdfplot::plot;
+
+} // namespace
+
+TEST_CASE("CSV of lines is tidy, with the shortest numbers") {
+  Figure figure;
+  Panel panel;
+  panel.title = "first, \"best\"";
+  panel.x.column = "theta_o";
+  panel.y.column = "g1";
+  panel.series.push_back({"α_{x} = 1", {0, 0.1}, {1, std::nan("")}, 0, {}});
+  panel.series.push_back({"two\nlines", {1e-5}, {1.0 / 3}, 1, {}});
+  figure.panels.push_back(panel);
+  CHECK(to_csv(figure) == "panel,series,theta_o,g1\n"
+                          "\"first, \"\"best\"\"\",α_x = 1,0,1\n"
+                          "\"first, \"\"best\"\"\",α_x = 1,0.1,nan\n"
+                          "\"first, \"\"best\"\"\",\"two\nlines\",1e-05,0.3333333333333333\n");
+}
+
+TEST_CASE("CSV of a heat map has its cells, not its contours") {
+  CHECK(to_csv(plot_tests::heatmap_figure()) == "panel,x,y,v\n,0,0,0\n,1,0,0\n,2,0,1\n,0,1,0\n,1,1,0\n,2,1,nan\n");
+}
+
+TEST_CASE("CSV of an empty figure is the header") {
+  CHECK(to_csv(Figure{}) == "panel,series,x,y\n");
+  Figure map;
+  map.kind = Kind::heatmap;
+  CHECK(to_csv(map) == "panel,x,y,value\n");
+}
