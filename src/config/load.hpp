@@ -52,9 +52,6 @@ std::string schema(const std::string& kind);
 /// Reads a file as what it is (its kind is told by its keys), without computing; returns the kind.
 std::string validate(const std::string& path);
 
-/// An angle on the command line or in JSON: "80deg", "1.5rad", or a number in radians. Nothing when it is none.
-std::optional<double> parse_angle(std::string_view text);
-
 /// What report.json says of one entry.
 struct EntryRecord {
   std::string id;

@@ -51,10 +51,16 @@ InputFile::~InputFile() {
   if (fd_ > STDERR_FILENO) close(fd_);
 }
 
+bool InputFile::wait() const {
+  while (!stopped_ && !is_ready(fd_, POLLIN)) {
+  }
+  return !stopped_;
+}
+
 std::size_t InputFile::read(char* to, std::size_t size) {
   while (true) {
     throw_if_interrupted();
-    if (waits_) wait_until_ready(fd_, POLLIN);
+    if (waits_ && !wait()) return 0;
     const ssize_t count = ::read(fd_, to, size);
     if (count >= 0) return static_cast<std::size_t>(count);
     if (errno != EINTR && errno != EAGAIN) throw FileError(name_, "cannot read: " + reason(errno));
@@ -103,7 +109,7 @@ void OutputFile::fail(int error) const { throw FileError(name_, "cannot write: "
 void OutputFile::write(std::string_view text) {
   while (!text.empty()) {
     throw_if_interrupted();
-    if (waits_) wait_until_ready(fd_, POLLOUT);
+    if (waits_ && !is_ready(fd_, POLLOUT)) continue;
     const std::size_t size = waits_ ? std::min(text.size(), pipe_chunk) : text.size();
     const ssize_t count = ::write(fd_, text.data(), size);
     if (count >= 0)

@@ -5,6 +5,7 @@
 /// pipe or a terminal ends with Interrupted when the user presses Ctrl-C.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -34,8 +35,14 @@ public:
   const std::string& name() const { return name_; }
   /// Reads what there is, up to `size` bytes, and waits only when there is nothing. 0 at the end.
   std::size_t read(char* to, std::size_t size);
+  /// From now on there is nothing more to read: ends the read in which another thread may be waiting.
+  void stop() { stopped_ = true; }
 
 private:
+  /// False when stopped.
+  bool wait() const;
+
+  std::atomic<bool> stopped_{false};
   std::string name_;
   int fd_ = -1;
   bool waits_ = false; ///< a pipe or a terminal

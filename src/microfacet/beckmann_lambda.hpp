@@ -11,7 +11,7 @@
 /// positive coefficients (relative error of R: 2e-17). The rounding of N / M reaches R damped, by a U R < 0.3.
 #pragma once
 
-#include "microfacet/beckmann_lambda_coefficients.hpp"
+#include "math/beckmann_lambda_coefficients.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,7 @@ inline std::vector<std::string> names_of(const std::vector<ModelSpec>& specs) {
 /// Builds the model that `choice` names, or tells what is wrong with it (key `type` for an unknown name).
 template <class List>
 std::variant<List, ParameterError> make_model(const ModelChoice& choice) {
-  const std::vector<ModelSpec> specs = specs_of<List>();
+  const std::vector<ModelSpec>& specs = specs_of<List>();
   for (std::size_t index = 0; index < specs.size(); ++index) {
     if (specs[index].type != choice.type) continue;
     auto completed = complete(specs[index], choice.values);

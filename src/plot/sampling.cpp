@@ -45,7 +45,9 @@ public:
 
 private:
   static constexpr double infinity_ = std::numeric_limits<double>::infinity();
-  double scaled(double y) const { return request_.y.scale == Scale::logarithmic ? (y > 0 ? std::log(y) : -infinity_) : y; }
+  double scaled(double y) const {
+    return request_.y.scale == Scale::logarithmic ? (y > 0 ? std::log(y) : -infinity_) : y;
+  }
   const CurveRequest& request_;
   double low_, high_, t_low_, t_span_;
 };

@@ -23,10 +23,10 @@ struct Curve {
   std::vector<double> y;
 };
 
-/// Points of y(x) so close that the polyline through them is within 5e-4 of the curve, in units of the plot's size, as far
-/// as halving intervals shows: each is halved until its midpoint lies on the chord, down to 1e-7 of the range (so a jump
-/// is drawn as a vertical line). Around each seed the first points are spaced geometrically. At the end points that the
-/// polyline does not need are dropped. Deterministic.
+/// Points of y(x) so close that the polyline through them is within 5e-4 of the curve, in units of the plot's size, as
+/// far as halving intervals shows: each is halved until its midpoint lies on the chord, down to 1e-7 of the range (so a
+/// jump is drawn as a vertical line). Around each seed the first points are spaced geometrically. At the end points
+/// that the polyline does not need are dropped. Deterministic.
 Curve sample(const std::function<double(double)>& y, const CurveRequest& request);
 
 } // namespace brdfplot::plot

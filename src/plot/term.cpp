@@ -21,8 +21,8 @@ std::vector<std::string> quantity_names() {
 } // namespace
 
 const std::vector<std::string>& direction_variables() {
-  static const std::vector<std::string> names = {"theta_o", "phi_o",   "theta_i",   "phi_i",     "theta_m", "phi_m",
-                                                 "a",       "slope",   "stretch_x", "stretch_y", "shear_x", "shear_y"};
+  static const std::vector<std::string> names = {"theta_o", "phi_o", "theta_i",   "phi_i",     "theta_m", "phi_m",
+                                                 "a",       "slope", "stretch_x", "stretch_y", "shear_x", "shear_y"};
   return names;
 }
 
@@ -30,22 +30,32 @@ void Configuration::set(const Setting& setting) {
   const auto& names = direction_variables();
   const auto found = std::ranges::find(names, setting.variable);
   if (const auto* text = std::get_if<std::string>(&setting.value)) {
-    if (setting.variable == "distribution") material_.distribution.type = *text;
-    else if (setting.variable == "masking") material_.masking = {.type = *text, .values = {}};
-    else if (setting.variable == "shadowing") material_.shadowing = ModelChoice{.type = *text, .values = {}};
-    else if (setting.variable == "fresnel") material_.fresnel.type = *text;
+    if (setting.variable == "distribution")
+      material_.distribution.type = *text;
+    else if (setting.variable == "masking")
+      material_.masking = {.type = *text, .values = {}};
+    else if (setting.variable == "shadowing")
+      material_.shadowing = ModelChoice{.type = *text, .values = {}};
+    else if (setting.variable == "fresnel")
+      material_.fresnel.type = *text;
     else
-      throw InputError("", "\"" + setting.variable + "\" cannot be \"" + *text + "\"; accepted as text: distribution, masking, shadowing, fresnel");
+      throw InputError("", "\"" + setting.variable + "\" cannot be \"" + *text +
+                               "\"; accepted as text: distribution, masking, shadowing, fresnel");
     return;
   }
   const double value = std::get<double>(setting.value);
   if (found == names.end()) return set_parameter(material_, setting.variable, value);
   const auto index = static_cast<std::size_t>(found - names.begin());
-  if (index < 6) angle_[index] = value;
-  else if (index == 6) a_ = value;
-  else if (index == 7) slope_ = value;
-  else if (index < 10) stretch_[index - 8] = value;
-  else shear_[index - 10] = value;
+  if (index < 6)
+    angle_[index] = value;
+  else if (index == 6)
+    a_ = value;
+  else if (index == 7)
+    slope_ = value;
+  else if (index < 10)
+    stretch_[index - 8] = value;
+  else
+    shear_[index - 10] = value;
 }
 
 std::optional<Direction> Configuration::direction(std::size_t which) const {
@@ -59,7 +69,8 @@ void Configuration::transform(MaterialDescription& material, std::optional<Direc
                               std::optional<Direction>& m) const {
   const Material before = build(material);
   if (!std::visit([](const auto& d) { return d.shape_invariant; }, before.distribution))
-    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" + material.distribution.type + "\" is none");
+    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
+                             material.distribution.type + "\" is none");
   const SlopeMap& map = before.slopes();
   Values values;
   values.set("alpha_x", map.alpha_x / stretch_[0]);
@@ -101,18 +112,24 @@ TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, dou
   for (const auto& setting : term.at) fixed_.set(setting);
 }
 
-double TermFunction::operator()(const std::vector<double>& values) const {
+Configuration::Ready TermFunction::configure(const std::vector<double>& values) const {
   Configuration configuration = fixed_;
   for (std::size_t k = 0; k < swept_.size(); ++k) configuration.set({swept_[k], values[k]});
-  const auto ready = configuration.ready();
-  if (integral_) {
-    if (!ready.o) throw InputError("", "this quantity needs theta_o");
-    return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
-  }
-  const auto& info = quantities()[static_cast<std::size_t>(*quantity_)];
-  require(ready.material, info, ready.o.has_value(), ready.i.has_value(), ready.m.has_value());
-  return evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i,
-                  ready.m || !ready.i ? ready.m : std::nullopt);
+  return configuration.ready();
+}
+
+void TermFunction::check(const std::vector<double>& values) const {
+  const auto ready = configure(values);
+  if (integral_ && !ready.o) throw InputError("", "this quantity needs theta_o");
+  if (quantity_)
+    require(ready.material, quantities()[static_cast<std::size_t>(*quantity_)], ready.o.has_value(),
+            ready.i.has_value(), ready.m.has_value());
+}
+
+double TermFunction::operator()(const std::vector<double>& values) const {
+  const auto ready = configure(values);
+  if (integral_) return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
+  return evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i, ready.m);
 }
 
 } // namespace brdfplot::plot

@@ -50,10 +50,15 @@ public:
 
   double operator()(const std::vector<double>& values) const;
 
+  /// Throws what operator() would, without computing an integral.
+  void check(const std::vector<double>& values) const;
+
   bool is_integral() const { return integral_.has_value(); }
   const Configuration& fixed() const { return fixed_; }
 
 private:
+  Configuration::Ready configure(const std::vector<double>& values) const;
+
   Configuration fixed_;
   std::vector<std::string> swept_;
   std::optional<Quantity> quantity_;

@@ -1,0 +1,124 @@
+#include "analysis/stream_evaluator.hpp"
+
+#include "math/errors.hpp"
+#include "math/interrupt.hpp"
+#include "math/number.hpp"
+
+#include <algorithm>
+
+namespace brdfplot {
+
+namespace {
+
+/// Rows are evaluated by so many: enough for the batch evaluation, few enough for the cache.
+constexpr std::size_t chunk_size = 1024;
+
+} // namespace
+
+int StreamPlan::channels_of(const StreamQuantity& quantity) const {
+  return std::visit([](const auto& info) { return info.coloured; }, quantity) ? material.channels() : 1;
+}
+
+StreamEvaluator::StreamEvaluator(const StreamPlan& plan) : plan_(plan), rows_(chunk_size), lines_(chunk_size) {
+  for (auto& direction : directions_)
+    for (auto& component : direction) component.resize(chunk_size);
+  for (const auto& quantity : plan.options.quantities) {
+    const auto channels = static_cast<std::size_t>(plan.channels_of(quantity));
+    results_.push_back({std::vector<double>(chunk_size * channels), channels, chunk_size});
+  }
+}
+
+std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out) {
+  out.clear();
+  const auto& quantities = plan_.options.quantities;
+  std::exception_ptr failure;
+  std::size_t line = block.first_line;
+  for (FieldScanner scanner(block.text); !scanner.at_end() && !failure;) {
+    throw_if_interrupted();
+    failure = read(scanner, block.text, line);
+    // Integrals first: they may end the chunk before its last row.
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      if (const auto* info = std::get_if<IntegralInfo>(&quantities[q]))
+        if (auto missed = integrate_rows(*info, results_[q])) failure = std::move(missed);
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      if (const auto* info = std::get_if<QuantityInfo>(&quantities[q])) evaluate_rows(*info, results_[q]);
+    append_rows(out);
+  }
+  return failure;
+}
+
+std::exception_ptr StreamEvaluator::read(FieldScanner& scanner, const std::string& text, std::size_t& line) {
+  n_ = 0;
+  std::array<Direction, letter_count> directions{};
+  while (n_ < chunk_size && !scanner.at_end()) {
+    const std::size_t start = scanner.position();
+    const auto problem = plan_.columns.read_row(scanner, directions);
+    std::string_view row = std::string_view(text).substr(start, scanner.position() - start);
+    const std::size_t row_line = line;
+    line += static_cast<std::size_t>(std::ranges::count(row, '\n'));
+    // A blank line has one field, and so may look like a wrong row.
+    if (is_blank(row)) continue;
+    if (problem) return std::make_exception_ptr(InputError(where(row_line), *problem));
+    row.remove_suffix(row.ends_with("\r\n") ? 2 : 1);
+    rows_[n_] = row;
+    lines_[n_] = row_line;
+    for (std::size_t letter = 0; letter < letter_count; ++letter) {
+      directions_[letter][0][n_] = directions[letter].x;
+      directions_[letter][1][n_] = directions[letter].y;
+      directions_[letter][2][n_] = directions[letter].z;
+    }
+    ++n_;
+  }
+  return nullptr;
+}
+
+std::exception_ptr StreamEvaluator::integrate_rows(const IntegralInfo& info, Result& result) {
+  const Columns o = columns_of(Letter::o);
+  for (std::size_t r = 0; r < n_; ++r) {
+    const bool as_before = r > 0 && o.x[r] == o.x[r - 1] && o.y[r] == o.y[r - 1] && o.z[r] == o.z[r - 1];
+    for (std::size_t k = 0; k < result.channels; ++k) {
+      double& value = result.values[k * result.stride + r];
+      if (as_before) {
+        value = (&value)[-1];
+        continue;
+      }
+      throw_if_interrupted();
+      try {
+        value = compute_or_throw(info.integral, plan_.material, {o.x[r], o.y[r], o.z[r]}, plan_.options.tolerance,
+                                 static_cast<int>(k));
+      } catch (const AccuracyError& error) {
+        n_ = r;
+        return std::make_exception_ptr(AccuracyError(where(lines_[r]), error.what()));
+      }
+    }
+  }
+  return nullptr;
+}
+
+void StreamEvaluator::evaluate_rows(const QuantityInfo& info, Result& result) const {
+  Batch batch{n_, columns_of(Letter::o), columns_of(Letter::i), columns_of(Letter::m)};
+  if (info.needs.i) batch.m = {};
+  result.stride = n_;
+  evaluate(plan_.material, info.quantity, batch, result.values.data());
+}
+
+Columns StreamEvaluator::columns_of(Letter letter) const {
+  if (!plan_.columns.has(letter)) return {};
+  const auto& components = directions_[static_cast<std::size_t>(letter)];
+  return {components[0].data(), components[1].data(), components[2].data()};
+}
+
+void StreamEvaluator::append_rows(std::string& out) const {
+  for (std::size_t r = 0; r < n_; ++r) {
+    out += rows_[r];
+    for (const Result& result : results_) {
+      for (std::size_t k = 0; k < result.channels; ++k) {
+        out += ',';
+        append_number(out, result.values[k * result.stride + r]);
+      }
+    }
+    out += '\n';
+  }
+}
+
+} // namespace brdfplot

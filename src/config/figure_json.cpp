@@ -1,0 +1,249 @@
+#include "config/load.hpp"
+#include "config/shapes.hpp"
+#include "math/errors.hpp"
+#include "math/number.hpp"
+#include "plot/term.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace brdfplot::config {
+
+namespace {
+
+using plot::Expression;
+using plot::Setting;
+
+/// What outer levels hand down: figure to panel to series to operand.
+struct Scope {
+  std::optional<MaterialDescription> material;
+  std::vector<Setting> at;
+  std::map<std::string, std::string> words; ///< what {variable} becomes
+};
+
+Setting to_setting(const std::string& variable, const Json& value) {
+  if (value.is_string() && !parse_angle(value.get<std::string>())) return {variable, value.get<std::string>()};
+  return {variable, to_number(value)};
+}
+
+/// "60°" for "60deg", the number or the word otherwise.
+std::string word_for(const Json& value) {
+  if (value.is_number()) return format_number(value.get<double>());
+  const auto text = value.get<std::string>();
+  const auto unit = text.find("deg");
+  if (!parse_angle(text) || unit == std::string::npos) return text;
+  return text.substr(0, text.find_last_not_of(' ', unit - 1) + 1) + "°";
+}
+
+std::string substituted(std::string text, const std::map<std::string, std::string>& words) {
+  for (const auto& [variable, word] : words) {
+    const std::string mark = "{" + variable + "}";
+    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + word.size()))
+      text.replace(at, mark.size(), word);
+  }
+  return text;
+}
+
+class Reader {
+public:
+  explicit Reader(const JsonFile& file) : file_(file) {}
+
+  plot::FigureDescription figure() {
+    const Json& root = file_.root();
+    plot::FigureDescription out;
+    out.id = root["id"].get<std::string>();
+    const bool plain = !out.id.empty() && std::ranges::all_of(out.id, [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+    });
+    if (!plain || out.id.front() == '.')
+      file_.fail("/id", "found " + show(root["id"]) + ", accepted: letters, digits, - and _, since it names files");
+    out.title = root["title"].get<std::string>();
+    out.caption = root["caption"].get<std::string>();
+    out.kind = kind_ = std::map<std::string, plot::Kind>{{"lines", plot::Kind::lines},
+                                                         {"polar", plot::Kind::polar},
+                                                         {"heatmap", plot::Kind::heatmap}}
+                           .at(root["kind"].get<std::string>());
+    out.columns = root.value("columns", 1);
+    out.share = std::map<std::string, plot::Share>{{"none", plot::Share::none},
+                                                   {"rows", plot::Share::rows},
+                                                   {"all", plot::Share::all}}
+                    .at(root.value("share", "none"));
+    out.tolerance = tolerance_ = root.value("tolerance", out.tolerance);
+    out.cells = root.value("cells", out.cells);
+    Scope scope;
+    enter(scope, root, "");
+    for (std::size_t k = 0; k < root["panels"].size(); ++k) {
+      const std::string pointer = "/panels/" + std::to_string(k);
+      for_each(root["panels"][k], pointer, scope, [&](const Scope& inner, std::optional<double>) {
+        out.panels.push_back(panel(root["panels"][k], pointer, inner));
+      });
+    }
+    return out;
+  }
+
+private:
+  /// Takes `material` and `at` of an object into the scope.
+  void enter(Scope& scope, const Json& object, const std::string& pointer) {
+    if (object.contains("material")) {
+      const Json& value = object["material"];
+      if (value.is_object()) {
+        scope.material = read_material(file_, value, pointer + "/material");
+      } else {
+        const auto name = value.get<std::string>();
+        const Json materials = file_.root().value("materials", Json::object());
+        std::vector<std::string> names;
+        for (const auto& [key, item] : materials.items()) names.push_back(key);
+        if (!materials.contains(name)) file_.fail(pointer + "/material", unknown_name("material", name, names));
+        scope.material = read_material(file_, materials[name], step("/materials", name));
+      }
+    }
+    if (!object.contains("at")) return;
+    for (const auto& [variable, value] : object["at"].items()) scope.at.push_back(to_setting(variable, value));
+  }
+
+  /// Calls `make` for every combination of the values of `for_each` (once when there is none), with the place of the
+  /// value among its fellows in [0, 1] where they form a family of numbers.
+  template <class Make>
+  void for_each(const Json& object, const std::string& pointer, const Scope& scope, const Make& make) {
+    std::vector<Json> loops;
+    if (object.contains("for_each")) {
+      if (object["for_each"].is_array())
+        loops.assign(object["for_each"].begin(), object["for_each"].end());
+      else
+        loops.push_back(object["for_each"]);
+    }
+    nest(loops, 0, pointer, scope, {}, make);
+  }
+
+  template <class Make>
+  void nest(const std::vector<Json>& loops, std::size_t depth, const std::string& pointer, const Scope& scope,
+            std::optional<double> ramp, const Make& make) {
+    if (depth == loops.size()) return make(scope, ramp);
+    const Json& loop = loops[depth];
+    const auto variable = loop["variable"].get<std::string>();
+    const Json& values = loop["values"];
+    if (loop.contains("labels") && loop["labels"].size() != values.size())
+      file_.fail(pointer + "/for_each", "has " + std::to_string(values.size()) + " values and " +
+                                            std::to_string(loop["labels"].size()) + " labels; accepted: as many");
+    const bool family = loops.size() == 1 && values.size() >= 5 && values[0].is_number();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      Scope inner = scope;
+      inner.at.push_back(to_setting(variable, values[k]));
+      inner.words[variable] = loop.contains("labels") ? loop["labels"][k].get<std::string>() : word_for(values[k]);
+      nest(loops, depth + 1, pointer, inner,
+           family ? std::optional(static_cast<double>(k) / static_cast<double>(values.size() - 1)) : ramp, make);
+    }
+  }
+
+  plot::Axis axis(const Json& panel, const std::string& pointer, const std::string& key, bool swept) {
+    Json merged = file_.root().value(key, Json::object());
+    for (const auto& [name, value] : panel.value(key, Json::object()).items()) merged[name] = value;
+    plot::Axis axis;
+    axis.column = merged.value("variable", "");
+    axis.label = merged.value("label", axis.column);
+    axis.scale = merged.value("scale", "linear") == "log" ? plot::Scale::logarithmic : plot::Scale::linear;
+    const std::string unit = merged.value("unit", "none");
+    axis.unit = unit == "degrees" ? plot::Unit::degrees : unit == "radians" ? plot::Unit::radians : plot::Unit::none;
+    if (merged.contains("from")) axis.from = to_number(merged["from"]);
+    if (merged.contains("to")) axis.to = to_number(merged["to"]);
+    const std::string place = pointer + "/" + key;
+    if (swept && axis.column.empty()) file_.fail(place, "\"variable\" is missing: what is swept along this axis");
+    if (swept && (std::isnan(axis.from) || std::isnan(axis.to)))
+      file_.fail(place, "a swept axis needs \"from\" and \"to\"");
+    if (axis.from >= axis.to)
+      file_.fail(place, "found from = " + format_number(axis.from) + " and to = " + format_number(axis.to) +
+                            ", accepted: from < to");
+    if (axis.scale == plot::Scale::logarithmic && (axis.from <= 0 || axis.to <= 0))
+      file_.fail(place, "a log axis needs from > 0");
+    if (axis.column.empty()) axis.column = "value";
+    return axis;
+  }
+
+  plot::PanelDescription panel(const Json& object, const std::string& pointer, Scope scope) {
+    enter(scope, object, pointer);
+    plot::PanelDescription out;
+    out.title = substituted(object.value("title", ""), scope.words);
+    const bool heatmap = kind_ == plot::Kind::heatmap;
+    out.x = axis(object, pointer, "x", true);
+    out.y = axis(object, pointer, "y", heatmap);
+    if (heatmap) out.value = axis(object, pointer, "value", false);
+    swept_ = {out.x.column};
+    if (heatmap) swept_.push_back(out.y.column);
+    from_ = {out.x.from};
+    if (heatmap) from_.push_back(out.y.from);
+    for (std::size_t k = 0; k < object["series"].size(); ++k) {
+      const std::string at = pointer + "/series/" + std::to_string(k);
+      const Json& one = object["series"][k];
+      for_each(one, at, scope, [&](const Scope& inner, std::optional<double> ramp) {
+        out.series.push_back({substituted(one.value("label", ""), inner.words), expression(one, at, inner), ramp});
+      });
+    }
+    if (heatmap && out.series.size() != 1) file_.fail(pointer + "/series", "a heat map has one series");
+    if (!heatmap && object.contains("contours")) file_.fail(pointer + "/contours", "only a heat map has contours");
+    if (kind_ != plot::Kind::polar && object.contains("arrows"))
+      file_.fail(pointer + "/arrows", "only a polar plot has arrows");
+    for (const auto& contour : object.value("contours", Json::array()))
+      out.contours.push_back({contour["label"].get<std::string>(), contour["level"].get<double>()});
+    for (const auto& arrow : object.value("arrows", Json::array()))
+      out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, pointer));
+    return out;
+  }
+
+  plot::Arrow to_arrow(const std::string& name, const Scope& scope, const std::string& pointer) {
+    const std::string variable = name == "omega_i" ? "theta_i" : "theta_o";
+    double theta = plot::automatic;
+    for (const auto& setting : scope.at)
+      if (setting.variable == variable) theta = std::get<double>(setting.value);
+    if (std::isnan(theta))
+      file_.fail(pointer + "/arrows", "\"" + name + "\" needs \"" + variable + "\" in the panel's \"at\"");
+    if (name == "mirror") return {"mirror", -theta, false};
+    return {name == "omega_o" ? "ω_o" : "ω_i", theta, name == "omega_i"};
+  }
+
+  Expression expression(const Json& object, const std::string& pointer, Scope scope) {
+    enter(scope, object, pointer);
+    Expression out;
+    const auto operands = [&](const std::string& key, Expression::Operation operation) {
+      out.operation = operation;
+      for (std::size_t k = 0; k < object[key].size(); ++k)
+        out.operands.push_back(expression(object[key][k], step(step(pointer, key), std::to_string(k)), scope));
+    };
+    if (object.contains("ratio"))
+      operands("ratio", Expression::Operation::ratio);
+    else if (object.contains("difference"))
+      operands("difference", Expression::Operation::difference);
+    else if (object.contains("absolute")) {
+      out.operation = Expression::Operation::absolute;
+      out.operands.push_back(expression(object["absolute"], step(pointer, "absolute"), scope));
+    } else {
+      if (!scope.material) file_.fail(pointer, "\"material\" is missing here and above");
+      out.term = {object["quantity"].get<std::string>(), *scope.material, scope.at};
+      try {
+        plot::TermFunction(out.term, swept_, tolerance_).check(from_);
+      } catch (const MaterialError& error) {
+        file_.fail(pointer, error.pointer() + ": " + error.reason());
+      } catch (const InputError& error) {
+        file_.fail(pointer, error.what());
+      }
+    }
+    return out;
+  }
+
+  const JsonFile& file_;
+  plot::Kind kind_ = plot::Kind::lines;
+  double tolerance_ = 0;
+  std::vector<std::string> swept_;
+  std::vector<double> from_;
+};
+
+} // namespace
+
+FigureFile load_figure(const std::string& path) {
+  const JsonFile file(path);
+  file.check(*figure_shape());
+  return {Reader(file).figure(), file.text()};
+}
+
+} // namespace brdfplot::config

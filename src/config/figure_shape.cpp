@@ -1,0 +1,99 @@
+#include "config/shapes.hpp"
+
+namespace brdfplot::config {
+
+namespace {
+
+ShapePtr setting() { return either({angle(), text()}); }
+
+ShapePtr settings() {
+  return map(setting(),
+             "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, a, slope, "
+             "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, or the type of "
+             "its distribution, masking, shadowing or fresnel");
+}
+
+ShapePtr axis() {
+  return object({{"variable", text(), false, "what is swept"},
+                 {"label", text(), false, "drawn; _ and ^ start sub- and superscripts"},
+                 {"from", angle(), false, "lower end"},
+                 {"to", angle(), false, "upper end"},
+                 {"scale", choice({"linear", "log"}), false, "default linear"},
+                 {"unit", choice({"none", "degrees", "radians"}), false,
+                  "how ticks are written; values are radians all the same; default none"}});
+}
+
+ShapePtr for_each() {
+  const ShapePtr one = object({{"variable", text(), true, "set to each of the values in turn"},
+                               {"values", array(setting(), 1), true, "values, or types of a model"},
+                               {"labels", array(text(), 1), false, "what {variable} becomes in labels and titles"}});
+  return either({one, array(one, 1)});
+}
+
+ShapePtr material_or_name() { return either({material_shape(false), text()}); }
+
+ShapePtr expression();
+
+std::vector<Field> expression_fields() {
+  return {{"quantity", text(), false, "what is evaluated: see brdfplot list quantities"},
+          {"ratio", array(expression(), 2, 2), false, "first over second"},
+          {"difference", array(expression(), 2, 2), false, "first minus second"},
+          {"absolute", expression(), false, "absolute value"},
+          {"material", material_or_name(), false, "a material, or the name of one in \"materials\""},
+          {"at", settings(), false, "what is fixed"}};
+}
+
+const std::vector<std::vector<std::string>> operations = {{"quantity"}, {"ratio"}, {"difference"}, {"absolute"}};
+
+ShapePtr expression() {
+  return named("expression", [] { return object_with_alternatives(expression_fields(), operations); });
+}
+
+ShapePtr series() {
+  auto fields = expression_fields();
+  fields.push_back({"label", text(), false, "in the legend; {variable} stands for the value of for_each"});
+  fields.push_back({"for_each", for_each(), false, "one series for each value"});
+  return named("series", [fields] { return object_with_alternatives(fields, operations); });
+}
+
+ShapePtr panel() {
+  return named("panel", [] {
+    return object(
+        {{"title", text(), false, "above the panel"},
+         {"x", axis(), false, "replaces keys of the figure's x"},
+         {"y", axis(), false, "replaces keys of the figure's y"},
+         {"value", axis(), false, "replaces keys of the figure's value"},
+         {"material", material_or_name(), false, "of the series that name none"},
+         {"at", settings(), false, "what is fixed for all series"},
+         {"series", array(series(), 1), true, "what is drawn"},
+         {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1), false,
+          "polar: directions to draw; mirror is the mirror direction of omega_o"},
+         {"contours", array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1),
+          false, "heat map: lines of a level"},
+         {"for_each", for_each(), false, "one panel for each value"}});
+  });
+}
+
+} // namespace
+
+ShapePtr figure_shape() {
+  return object(
+      {{"id", text(), true, "name of its files"},
+       {"kind", choice({"lines", "polar", "heatmap"}), true, "how it is drawn"},
+       {"title", text(), true, "above the figure"},
+       {"caption", text(), true, "what it shows, with equation and parameters"},
+       {"columns", whole_number(1, 8), false, "panels stand in rows of so many; default 1"},
+       {"share", choice({"none", "rows", "all"}), false, "which panels share the range of values; default none"},
+       {"tolerance", number({.min = 1e-13, .max = 1e-2}), false, "absolute, of integrals; default 1e-7"},
+       {"cells", whole_number(2, 1024), false, "heat map: cells along each axis; default 96"},
+       {"materials", map(material_shape(false), "materials by name"), false, "materials that series name"},
+       {"material", material_or_name(), false, "of the series that name none"},
+       {"at", settings(), false, "what is fixed for all series"},
+       {"x", axis(), false, "horizontal axis, or angle"},
+       {"y", axis(), false, "vertical axis, or radius; heat map: the second swept variable"},
+       {"value", axis(), false, "heat map: the colour bar"},
+       {"panels", array(panel(), 1), true, "one or more"}},
+      true);
+}
+
+} // namespace brdfplot::config

@@ -1,0 +1,44 @@
+/// \file
+/// A JSON file with its references followed, which still knows where every value stands.
+#pragma once
+
+#include "config/schema.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace brdfplot::config {
+
+class JsonFile {
+public:
+  /// Reads `path` and puts, for every {"$ref": "FILE#/pointer"}, the value that it names (relative to the file it
+  /// stands in; no FILE: the same file). \throws FileError, InputError (syntax, duplicate keys, a reference that leads
+  /// nowhere or to itself).
+  explicit JsonFile(const std::string& path);
+
+  const Json& root() const { return root_; }
+  const std::string& path() const { return path_; }
+  const std::string& text() const { return text_; }
+
+  /// `FILE: /pointer`, in the file in which the value at `pointer` of root() was written.
+  std::string where(const std::string& pointer) const;
+
+  /// Checks against a shape, with errors at where() the value stands.
+  void check(const Shape& shape) const;
+
+  [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
+
+private:
+  struct Origin {
+    std::string prefix, file, pointer;
+  };
+  Json expand(const Json& value, const std::string& pointer, const Origin& here, std::vector<std::string>& trail);
+
+  std::string path_, text_;
+  Json root_;
+  std::vector<Origin> origins_; ///< longest matching prefix counts
+};
+
+} // namespace brdfplot::config

@@ -1,0 +1,75 @@
+#include "config/load.hpp"
+#include "config/shapes.hpp"
+#include "math/number.hpp"
+#include "microfacet/registry.hpp"
+
+#include <filesystem>
+
+namespace brdfplot::config {
+
+namespace {
+
+Value to_value(const Json& value, ParameterKind kind) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return value.get<double>();
+  if (kind == ParameterKind::vec2) return value.get<Vec2>();
+  return value.get<Rgb>();
+}
+
+template <class List>
+ModelChoice to_choice(const Json& value) {
+  ModelChoice choice{.type = value["type"].get<std::string>(), .values = {}};
+  for (const ModelSpec& spec : specs_of<List>()) {
+    if (spec.type != choice.type) continue;
+    for (const auto& [key, item] : value.items())
+      if (key != "type") choice.values.set(key, to_value(item, spec.find(key)->kind));
+  }
+  return choice;
+}
+
+} // namespace
+
+double to_number(const Json& value) {
+  return value.is_string() ? *parse_angle(value.get<std::string>()) : value.get<double>();
+}
+
+ShapePtr material_shape(bool top) {
+  std::vector<Field> fields = {
+      {"name", text(), false, "what figures and errors call it; default: the name of the file"},
+      {"distribution", named("distribution", [] { return model(specs_of<Distribution>()); }), true,
+       "distribution of normals"},
+      {"masking", named("masking", [] { return model(specs_of<Masking>()); }), false,
+       "masking function G1; default smith"},
+      {"shadowing", named("shadowing", [] { return model(specs_of<Shadowing>()); }), false,
+       "joint masking-shadowing G2; default height_correlated, minimum for v_cavity, separable for implicit and "
+       "kelemen"},
+      {"fresnel", named("fresnel", [] { return model(specs_of<Fresnel>()); }), false,
+       "Fresnel term; default none (F = 1)"},
+      {"facet", choice({"specular"}), false, "how a facet reflects"}};
+  if (top) return object(std::move(fields), true);
+  return named("material", [fields] { return object(fields); });
+}
+
+MaterialDescription read_material(const JsonFile& file, const Json& value, const std::string& pointer) {
+  MaterialDescription material;
+  material.name =
+      value.contains("name") ? value["name"].get<std::string>() : std::filesystem::path(file.path()).stem().string();
+  material.distribution = to_choice<Distribution>(value["distribution"]);
+  if (value.contains("masking")) material.masking = to_choice<Masking>(value["masking"]);
+  if (value.contains("shadowing")) material.shadowing = to_choice<Shadowing>(value["shadowing"]);
+  if (value.contains("fresnel")) material.fresnel = to_choice<Fresnel>(value["fresnel"]);
+  try {
+    build(material);
+  } catch (const MaterialError& error) {
+    file.fail(pointer + error.pointer(), error.reason());
+  }
+  return material;
+}
+
+MaterialDescription load_material(const std::string& path) {
+  const JsonFile file(path);
+  file.check(*material_shape(true));
+  return read_material(file, file.root(), "");
+}
+
+} // namespace brdfplot::config

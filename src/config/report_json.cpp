@@ -1,0 +1,137 @@
+#include "config/load.hpp"
+#include "config/shapes.hpp"
+#include "math/errors.hpp"
+#include "microfacet/registry.hpp"
+
+#include <filesystem>
+#include <set>
+
+namespace brdfplot::config {
+
+namespace {
+
+ShapePtr table_shape() {
+  return named("table", [] {
+    return object({{"id", text(), true, "name of its files"},
+                   {"title", text(), true, "above the table"},
+                   {"caption", text(), true, "what it shows"},
+                   {"maskings", array(choice(names_of(specs_of<Masking>())), 1), true, "masking functions, in order"},
+                   {"distributions", array(choice(names_of(specs_of<Distribution>())), 1), true, "distributions"},
+                   {"alpha", array(number({.min = 0, .open_min = true}), 1), true, "roughnesses tried"},
+                   {"theta_o", array(angle(), 1), true, "angles of the viewer tried"},
+                   {"tolerance", number({.min = 1e-12, .max = 1e-1}), false, "a residual up to this counts as zero"}});
+  });
+}
+
+PropertyTableDescription read_table(const Json& value) {
+  PropertyTableDescription table;
+  table.id = value["id"].get<std::string>();
+  table.title = value["title"].get<std::string>();
+  table.caption = value["caption"].get<std::string>();
+  table.maskings = value["maskings"].get<std::vector<std::string>>();
+  table.distributions = value["distributions"].get<std::vector<std::string>>();
+  table.alpha = value["alpha"].get<std::vector<double>>();
+  for (const Json& theta : value["theta_o"]) table.theta_o.push_back(to_number(theta));
+  table.tolerance = value.value("tolerance", table.tolerance);
+  return table;
+}
+
+Json residual_json(const Residual& residual) {
+  return {{"max_residual", residual.max_residual}, {"holds", residual.verdict == Verdict::holds}};
+}
+
+} // namespace
+
+ShapePtr report_shape() {
+  const ShapePtr entry = object_with_alternatives({{"section", text(), true, "heading under which it stands"},
+                                                   {"figure", text(), false, "path of a figure, relative to this file"},
+                                                   {"table", table_shape(), false, "a table of properties"}},
+                                                  {{"figure"}, {"table"}});
+  return object({{"title", text(), true, "of the page"},
+                 {"introduction", text(), false, "paragraphs, separated by an empty line"},
+                 {"entries", array(entry, 1), true, "figures and tables, in order"}},
+                true);
+}
+
+ReportFile load_report(const std::string& path) {
+  const JsonFile file(path);
+  file.check(*report_shape());
+  const Json& root = file.root();
+  ReportFile report{std::filesystem::path(path).stem().string(),
+                    root["title"].get<std::string>(),
+                    root.value("introduction", ""),
+                    {}};
+  std::set<std::string> ids;
+  for (std::size_t k = 0; k < root["entries"].size(); ++k) {
+    const Json& entry = root["entries"][k];
+    const std::string pointer = "/entries/" + std::to_string(k);
+    ReportEntry out{entry["section"].get<std::string>(), PropertyTableDescription{}, ""};
+    std::string id;
+    if (entry.contains("figure")) {
+      const auto name = (std::filesystem::path(path).parent_path() / entry["figure"].get<std::string>()).string();
+      FigureFile figure = load_figure(name);
+      id = figure.figure.id;
+      out.what = std::move(figure.figure);
+      out.json = std::move(figure.json);
+    } else {
+      PropertyTableDescription table = read_table(entry["table"]);
+      id = table.id;
+      out.what = std::move(table);
+      out.json = entry["table"].dump(2) + "\n";
+    }
+    if (!ids.insert(id).second) file.fail(pointer, "the id \"" + id + "\" stands twice in this report");
+    report.entries.push_back(std::move(out));
+  }
+  return report;
+}
+
+const std::vector<std::string>& kinds() {
+  static const std::vector<std::string> all = {"material", "figure", "report"};
+  return all;
+}
+
+std::string schema(const std::string& kind) {
+  ShapePtr shape;
+  if (kind == "material")
+    shape = material_shape(true);
+  else if (kind == "figure")
+    shape = figure_shape();
+  else if (kind == "report")
+    shape = report_shape();
+  else
+    throw InputError("schema", unknown_name("kind", kind, kinds()));
+  return json_schema(*shape, "brdfplot " + kind).dump(2) + "\n";
+}
+
+std::string validate(const std::string& path) {
+  const JsonFile file(path);
+  if (!file.root().is_object()) file.fail("", "found " + show(file.root()) + ", accepted: an object");
+  if (file.root().contains("panels") || file.root().contains("kind")) return load_figure(path), "figure";
+  if (file.root().contains("entries")) return load_report(path), "report";
+  return load_material(path), "material";
+}
+
+std::string report_record(const ReportFile& report, const std::string& version, const std::vector<EntryRecord>& entries,
+                          double seconds) {
+  Json list = Json::array();
+  for (const auto& entry : entries) {
+    Json one = {{"id", entry.id}, {"kind", entry.kind}, {"files", entry.files}, {"seconds", entry.seconds}};
+    for (const auto& row : entry.rows)
+      one["rows"].push_back({{"distribution", row.distribution},
+                             {"masking", row.masking},
+                             {"eq14", residual_json(row.eq14)},
+                             {"eq18", residual_json(row.eq18)},
+                             {"eq36", residual_json(row.eq36)},
+                             {"physically_based", row.physically_based()}});
+    list.push_back(std::move(one));
+  }
+  return Json{{"report", report.id},
+              {"title", report.title},
+              {"version", version},
+              {"seconds", seconds},
+              {"entries", list}}
+             .dump(2) +
+         "\n";
+}
+
+} // namespace brdfplot::config

@@ -1,0 +1,82 @@
+/// \file
+/// One declaration of what a file may hold: the reader checks JSON against it and the published JSON Schema is written
+/// from it, so the two cannot differ.
+#pragma once
+
+#include "microfacet/parameters.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace brdfplot::config {
+
+using Json = nlohmann::ordered_json;
+
+/// A value that does not fit, at a JSON pointer.
+struct BadValue {
+  std::string pointer;
+  std::string what;
+};
+
+class Shape;
+using ShapePtr = std::shared_ptr<const Shape>;
+
+struct Field {
+  std::string key;
+  ShapePtr shape;
+  bool required = false;
+  std::string doc;
+};
+
+/// The shape of a JSON value.
+class Shape {
+public:
+  virtual ~Shape() = default;
+  /// \throws BadValue
+  virtual void check(const Json& value, const std::string& pointer) const = 0;
+  /// As JSON Schema. Named shapes (see `named`) are put into `definitions` and referred to.
+  virtual Json schema(Json& definitions) const = 0;
+  /// Whether a value is meant for this shape, by its JSON type alone: how `either` chooses.
+  virtual bool matches(const Json& value) const = 0;
+  /// "a number > 0", "an array": for errors.
+  virtual std::string describe() const = 0;
+};
+
+ShapePtr number(Bounds bounds = {});
+ShapePtr whole_number(int min, int max);
+/// Radians as a number, or a string with a unit: "80deg", "1.5rad".
+ShapePtr angle();
+ShapePtr text();
+ShapePtr choice(std::vector<std::string> accepted);
+ShapePtr boolean();
+ShapePtr array(ShapePtr item, std::size_t min = 0, std::size_t max = 1000000);
+/// Unknown keys are errors, but "$schema" is always accepted at the top of a file (`top`).
+ShapePtr object(std::vector<Field> fields, bool top = false);
+/// An object with one of the given sets of keys.
+ShapePtr object_with_alternatives(std::vector<Field> fields, std::vector<std::vector<std::string>> alternatives);
+/// An object with free keys.
+ShapePtr map(ShapePtr item, std::string key_doc);
+/// An object whose `type` names which of the shapes (all objects) the rest has.
+ShapePtr tagged(std::vector<std::pair<std::string, ShapePtr>> types);
+/// One of several, told apart by JSON type.
+ShapePtr either(std::vector<ShapePtr> shapes);
+/// A shape by name: published under "$defs", and free to contain itself.
+ShapePtr named(std::string name, std::function<ShapePtr()> make);
+
+/// The shape of a model's parameters beside its `type`.
+ShapePtr model(const std::vector<ModelSpec>& specs);
+
+/// The whole schema of a kind of file.
+Json json_schema(const Shape& shape, const std::string& title);
+
+/// `"abc"`, `3`, `an object`: a value as errors show it.
+std::string show(const Json& value);
+
+/// A pointer's next step, escaped (RFC 6901).
+std::string step(const std::string& pointer, const std::string& key);
+
+} // namespace brdfplot::config

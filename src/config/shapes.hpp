@@ -1,0 +1,24 @@
+/// \file
+/// What each kind of file may hold.
+#pragma once
+
+#include "config/json_file.hpp"
+#include "config/schema.hpp"
+
+#include "brdf/material.hpp"
+
+namespace brdfplot::config {
+
+/// A material inside another file, or (`top`) a file of its own.
+ShapePtr material_shape(bool top);
+ShapePtr figure_shape();
+ShapePtr report_shape();
+
+/// A material at `pointer` of `file`, which has been checked against material_shape. Built once, so that what only
+/// building finds (two alternatives at once, shadowing that masking does not allow) is told with its place.
+MaterialDescription read_material(const JsonFile& file, const Json& value, const std::string& pointer);
+
+/// A number or an angle with a unit.
+double to_number(const Json& value);
+
+} // namespace brdfplot::config
