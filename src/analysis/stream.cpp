@@ -2,6 +2,7 @@
 
 #include "analysis/stream_evaluator.hpp"
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "math/parallel.hpp"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ public:
 
   void run() {
     run_on_threads(plan_.options.threads, [this] { work(); });
+    throw_if_interrupted();
     if (failure_) std::rethrow_exception(failure_);
   }
 
@@ -159,7 +161,7 @@ void evaluate_stream(const Material& material, const StreamOptions& options, Inp
   const bool slow = std::ranges::any_of(options.quantities, is_integral);
   RowReader reader(in, slow ? integral_block_size : block_size);
   std::string header = reader.header();
-  const std::string where = in.name() + ":1";
+  const std::string where = in.name() + ":" + std::to_string(reader.header_line());
   if (header.empty())
     throw InputError(where, "found no header; accepted: a line that names the columns, such as theta_o,phi_o");
   const StreamPlan plan{material, options, DirectionColumns(header, where), in.name()};

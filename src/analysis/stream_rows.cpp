@@ -89,6 +89,7 @@ std::string RowReader::header() {
     std::string row = rest_.substr(0, scanner.position());
     if (row.empty()) return row;
     rest_.erase(0, scanner.position());
+    header_line_ = line_;
     line_ += count_lines(row);
     if (is_blank(row)) continue;
     while (row.ends_with('\n') || row.ends_with('\r')) row.pop_back();

@@ -52,6 +52,7 @@ public:
 
   /// The first row that is not blank, without its end: the header. Empty at the end of the file.
   std::string header();
+  std::size_t header_line() const { return header_line_; }
   /// Every row with its end; false when there are no more. \throws InputError for a row of more than 16 MiB: a quote
   /// that nothing closes.
   bool next(RowBlock& block);
@@ -63,6 +64,7 @@ private:
   std::size_t block_size_;
   std::string rest_; ///< read, but not yet handed out
   std::size_t line_ = 1;
+  std::size_t header_line_ = 1;
   bool started_ = false;
   bool ended_ = false;
 };

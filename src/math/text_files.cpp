@@ -31,12 +31,14 @@ bool is_regular(int fd) {
   return fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-void wait_until_ready(int fd, short event) {
+/// Waits a little; whether `fd` is ready (or broken, of which the next call tells).
+bool is_ready(int fd, short event) {
+  throw_if_interrupted();
   struct pollfd request {
     fd, event, 0
   };
-  do throw_if_interrupted();
-  while (poll(&request, 1, patience_ms) == 0 || (request.revents == 0 && errno == EINTR));
+  const int count = poll(&request, 1, patience_ms);
+  return count > 0 || (count < 0 && errno != EINTR);
 }
 
 } // namespace
