@@ -11,7 +11,7 @@ In README.md, in every ```sh and ```console block:
   another code); what SKIPPED names is for the reader's machine and is not run.
 Every ```json block has to be JSON; one with a "distribution" is a material, which `brdfplot validate` must accept.
 
-In `brdfplot COMMAND --help`, the commands after the line "Example:" have to exit with 0.
+In `brdfplot COMMAND --help` and `brdfplot --help`, the commands after the line "Example:" have to exit with 0.
 """
 
 import json
@@ -121,6 +121,8 @@ def run_example(example: Example, folder: Path, brdfplot: Path) -> str | None:
 
 def check_readme(readme: Path, folder: Path, brdfplot: Path) -> tuple[int, list[str]]:
     """The number of examples, and what is wrong."""
+    if not readme.is_file():
+        return 0, [f"{readme}: no such file"]
     count, faults = 0, []
     for line, language, content in blocks(readme.read_text(encoding="utf-8")):
         if language in ("sh", "console", "bash", "shell"):
@@ -168,10 +170,10 @@ def check_help(folder: Path, brdfplot: Path) -> tuple[int, list[str]]:
     if code != 0 or not names:
         return 1, [f"brdfplot --help: exited with {code}, lists no command:\n{indented(text)}"]
     count, faults = 0, []
-    for name in names:
+    for name in ["", *names]:
         code, text = run(f"brdfplot {name} --help", folder, brdfplot)
         examples = help_examples(name, text)
-        if code != 0 or not examples:
+        if code != 0 or (name and not examples):
             faults.append(f"brdfplot {name} --help: exited with {code}, shows no example:\n{indented(text)}")
         for example in examples:
             count += 1
