@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -155,7 +156,7 @@ std::string duration(double seconds) {
   if (seconds < 0.01) return "less than 0.01 s";
   const int decimals = seconds < 1 ? 2 : seconds < 10 ? 1 : 0;
   const long long scale = decimals == 2 ? 100 : decimals == 1 ? 10 : 1;
-  const auto units = static_cast<long long>(seconds * static_cast<double>(scale) + 0.5);
+  const long long units = std::llround(seconds * static_cast<double>(scale));
   return format_number(static_cast<double>(units) / static_cast<double>(scale)) + " s";
 }
 

@@ -124,7 +124,7 @@ Range value_range(const Axis& axis, const Extent& data) {
   return with_bounds(axis, linear_range(axis, data.from(), data.to()));
 }
 
-Range radius_range(const Axis& axis, const Extent& data) {
+Range radius_range(const Axis& axis, const Extent& data, int most_rings) {
   if (axis.scale == Scale::logarithmic) {
     if (data.empty()) return with_bounds(axis, {0.01, 1});
     const double to = std::pow(10.0, std::ceil(std::log10(data.to()) - 1e-9));
@@ -132,12 +132,12 @@ Range radius_range(const Axis& axis, const Extent& data) {
     return with_bounds(axis, {std::min(decade, to / 10), to});
   }
   const double most = data.empty() || data.to() <= 0 ? 1 : data.to();
-  // The round number that leaves the least of the disc unused, with three to eight rings.
+  // The round number that leaves the least of the disc unused, with three rings or more.
   double best = std::numeric_limits<double>::infinity();
   const double power = std::pow(10.0, std::floor(std::log10(most)) - 1);
   for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
     const double rings = std::ceil(most / (step * power) - 1e-6);
-    if (rings >= 3 && rings <= 8) best = std::min(best, rings * step * power);
+    if (rings >= 3 && rings <= std::max(most_rings, 5)) best = std::min(best, rings * step * power);
   }
   return with_bounds(axis, {0, best});
 }

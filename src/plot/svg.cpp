@@ -47,11 +47,8 @@ void append_style(std::string& out, const FigurePlan& plan) {
 }
 
 void draw_head(SvgWriter& svg, const PanelPlan& panel) {
-  const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
-  const double top = panel.plot.y - panel.insets.top - panel.legend.height - title;
-  const double left = panel.plot.x - panel.insets.left + 4;
-  svg.lines({panel.plot.x + panel.plot.w / 2, top}, panel.title, Anchor::middle);
-  draw_legend(svg, panel.legend, {left, top + title});
+  svg.lines({panel.plot.x + panel.plot.w / 2, panel.title_top}, panel.title, Anchor::middle);
+  draw_legend(svg, panel.legend, {panel.plot.x - panel.insets.left + 4, panel.legend_top});
 }
 
 } // namespace

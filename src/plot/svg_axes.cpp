@@ -41,7 +41,7 @@ bool labels_clear(const Ticks& ticks, const Range& range, Scale scale, double wi
 
 /// As many ticks as the width has room for.
 Ticks horizontal_ticks(const Axis& axis, const Range& range, double width) {
-  int most = std::clamp(static_cast<int>(width / 45), 2, 10);
+  int most = std::clamp(static_cast<int>(width / 30), 3, 10);
   auto ticks = make_ticks(axis, range, most);
   while (most > 2 && !labels_clear(ticks, range, axis.scale, width)) ticks = make_ticks(axis, range, --most);
   return ticks;

@@ -16,6 +16,7 @@ using ColourPaths = std::array<PathData, map_colours>;
 /// The edges of cells around their centres, as places in [0, 1] of the axis: midway between neighbours.
 std::vector<double> cell_edges(const std::vector<double>& centres, const Range& range, Scale scale) {
   std::vector<double> places;
+  places.reserve(centres.size());
   for (const double centre : centres) places.push_back(place_in(range, scale, centre));
   const std::size_t n = places.size();
   std::vector<double> edges(n + 1, 0);

@@ -90,6 +90,7 @@ Look look_in(const Item& item, const std::vector<Item>& distinct) {
 
 std::vector<LegendEntry> entries_of(const std::vector<Item>& distinct, Kind kind) {
   std::vector<LegendEntry> entries;
+  entries.reserve(distinct.size());
   for (const auto& item : distinct) entries.push_back({item.label, look_in(item, distinct), sample_of(kind)});
   return entries;
 }

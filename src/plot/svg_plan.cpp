@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace brdfplot::plot {
 
@@ -53,6 +54,28 @@ void plan_swept(const Panel& panel, Kind kind, PanelPlan& plan) {
   plan.x = swept_range(panel.x, x);
 }
 
+double title_height(const PanelPlan& panel) { return panel.title.lines.empty() ? 0 : panel.title.height() + 4; }
+
+/// Aligns the titles, legends and plots of a row that begins at `y`; gives its height.
+double place_row(std::span<PanelPlan> row, double y) {
+  double title = 0;
+  double legend = 0;
+  double top = 0;
+  double body = 0;
+  for (const auto& panel : row) {
+    title = std::max(title, title_height(panel));
+    legend = std::max(legend, panel.legend.height);
+    top = std::max(top, panel.insets.top);
+    body = std::max(body, panel.plot.h + panel.insets.bottom);
+  }
+  for (auto& panel : row) {
+    panel.title_top = y + title - title_height(panel);
+    panel.legend_top = y + title;
+    panel.plot.y = y + title + legend + top;
+  }
+  return title + legend + top + body;
+}
+
 /// Moves the panels to their places in the grid; gives the y below the last row.
 double place_panels(FigurePlan& plan, double top) {
   const auto columns = static_cast<std::size_t>(plan.columns);
@@ -67,23 +90,14 @@ double place_panels(FigurePlan& plan, double top) {
   }
   double y = top;
   for (std::size_t row = 0; row < panels.size(); row += columns) {
-    const std::size_t end = std::min(row + columns, panels.size());
-    double head = 0;
-    double body = 0;
-    for (std::size_t i = row; i < end; ++i) {
-      const auto& panel = panels[i];
-      const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
-      head = std::max(head, title + panel.legend.height + panel.insets.top);
-      body = std::max(body, panel.plot.h + panel.insets.bottom);
-    }
+    const auto in_row = std::span(plan.panels).subspan(row, std::min(columns, panels.size() - row));
+    const double body = place_row(in_row, y);
     double x = page_margin;
-    for (std::size_t i = row; i < end; ++i) {
-      const std::size_t column = i - row;
-      plan.panels[i].plot.x = x + left[column];
-      plan.panels[i].plot.y = y + head;
+    for (std::size_t column = 0; column < in_row.size(); ++column) {
+      in_row[column].plot.x = x + left[column];
       x += left[column] + width[column] + right[column] + column_gap;
     }
-    y += head + body + row_gap;
+    y += body + row_gap;
   }
   return panels.empty() ? top : y - row_gap;
 }
@@ -100,7 +114,7 @@ void plan_ranges(const Figure& figure, FigurePlan& plan) {
     const auto& extent = groups[share_group(figure, i, plan.columns)];
     plan_swept(panel, figure.kind, plan.panels[i]);
     if (figure.kind == Kind::lines) plan.panels[i].y = value_range(panel.y, extent);
-    if (figure.kind == Kind::polar) plan.panels[i].y = radius_range(panel.y, extent);
+    if (figure.kind == Kind::polar) plan.panels[i].y = radius_range(panel.y, extent, plan.columns > 3 ? 5 : 8);
     if (figure.kind == Kind::heatmap) plan.panels[i].value = colour_range(panel.value.value_or(Axis{}), extent);
   }
 }

@@ -49,8 +49,11 @@ struct PanelPlan {
   FittedText x_title;
   FittedText y_title;
   FittedText value_title;
-  bool bar = false; ///< whether the colour bar stands beside this panel
+  bool bar = false;    ///< whether the colour bar stands beside this panel
+  bool narrow = false; ///< whether a polar plot has room for a few labels only
   LegendLayout legend;
+  double title_top = 0;
+  double legend_top = 0;
   Insets insets;
   Box plot;
   std::vector<PolarLabel> labels;

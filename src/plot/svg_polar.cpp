@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
-#include "plot/svg_plan.hpp"
+#include "plot/svg_polar.hpp"
 
 namespace brdfplot::plot {
 
-namespace {
+using polar::pi;
+using polar::tip;
 
-constexpr double pi = std::numbers::pi;
-constexpr double tip = 4; ///< how far arrows end beyond the outer ring
+namespace {
 
 /// The disc of a polar plot on the page.
 struct Disc {
@@ -24,158 +23,10 @@ struct Disc {
   }
 };
 
-/// Whether an angle beyond ±90° occurs.
-bool is_full_disc(const Panel& panel) {
-  constexpr double limit = pi / 2 + 1e-6;
-  const auto beyond = [](double angle) { return std::abs(angle) > limit; };
-  return std::any_of(panel.series.begin(), panel.series.end(),
-                     [&](const Series& s) { return std::any_of(s.x.begin(), s.x.end(), beyond); }) ||
-         std::any_of(panel.arrows.begin(), panel.arrows.end(), [&](const Arrow& a) { return beyond(a.theta); });
-}
-
 Disc disc_of(const PanelPlan& plan) {
-  const bool full = is_full_disc(*plan.panel);
+  const bool full = polar::is_full_disc(*plan.panel);
   const double radius = plan.plot.w / 2;
   return {{plan.plot.x + radius, plan.plot.y + radius}, radius, full};
-}
-
-/// The labelled spokes.
-Ticks spokes(const Axis& axis, bool full) {
-  Axis angle;
-  angle.unit = axis.unit == Unit::radians ? Unit::radians : Unit::degrees;
-  auto ticks = make_ticks(angle, full ? Range{-pi, pi} : Range{-pi / 2, pi / 2}, full ? 13 : 7);
-  if (full) std::erase_if(ticks.major, [](const Tick& tick) { return tick.value < -pi + 1e-6; });
-  return ticks;
-}
-
-/// A text box that touches the circle of radius `r` from outside in the direction `theta`.
-Box outside_box(const std::string& text, double size, double theta, double r) {
-  const double w = text_width(text, size);
-  const double h = size;
-  const double out = r + std::abs(std::sin(theta)) * w / 2 + std::abs(std::cos(theta)) * h / 2;
-  return {out * std::sin(theta) - w / 2, -out * std::cos(theta) - h / 2, w, h};
-}
-
-/// Places a label in its direction, far enough out to keep clear of those before it.
-void place_outside(std::vector<PolarLabel>& labels, const std::string& text, double size, double theta, double r) {
-  if (text.empty()) return;
-  Box box = outside_box(text, size, theta, r);
-  const auto covered = [&] {
-    return std::any_of(labels.begin(), labels.end(),
-                       [&](const PolarLabel& other) { return box.touches(other.box, 3); });
-  };
-  for (int tries = 0; tries < 60 && covered(); ++tries) box = outside_box(text, size, theta, r += 2);
-  labels.push_back({text, size, box});
-}
-
-/// The direction for the ring labels of a full disc: between two spokes, where the lobes are smallest.
-double quiet_direction(const PanelPlan& plan) {
-  double best = 3 * pi / 4;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double degrees : {135.0, 105.0, 165.0, -135.0, -105.0, -165.0, 75.0, -75.0, 45.0, -45.0}) {
-    const double direction = degrees * pi / 180;
-    double most = 0;
-    for (const auto& series : plan.panel->series) {
-      for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-        const bool near = std::abs(std::remainder(series.x[i] - direction, 2 * pi)) < pi / 15;
-        if (near && std::isfinite(series.y[i])) most = std::max(most, series.y[i]);
-      }
-    }
-    if (most < least) {
-      least = most;
-      best = direction;
-    }
-  }
-  return best;
-}
-
-/// Ring labels: under the surface of a half disc, which no lobe reaches; else where the lobes are smallest.
-void place_ring_labels(PanelPlan& plan, double radius, bool full) {
-  const double direction = full ? quiet_direction(plan) : pi / 2;
-  for (const auto& tick : plan.y_ticks.major) {
-    const double r = radius * place_in(plan.y, plan.panel->y.scale, tick.value);
-    if (tick.label.empty() || (full && (r < 1 || r > radius - 1))) continue;
-    const double w = text_width(tick.label, font::tick);
-    const double y = full ? -r * std::cos(direction) - font::tick / 2 : 9;
-    plan.labels.push_back({tick.label, font::tick, {r * std::sin(direction) - w / 2, y, w, font::tick}});
-  }
-}
-
-/// Whether the labels of each `every`-th ring, counted from the outermost, keep clear of each other.
-bool every_clear(const Ticks& ticks, const std::vector<double>& radii, std::size_t every) {
-  for (std::size_t i = ticks.major.size() - 1; !ticks.major.empty() && i >= every; i -= every) {
-    const double width =
-        text_width(ticks.major[i].label, font::tick) + text_width(ticks.major[i - every].label, font::tick);
-    if (radii[i] - radii[i - every] < width / 2 + 5) return false;
-  }
-  return true;
-}
-
-/// Each how many rings have a label: so many that the labels are clear, and rather such that the centre has one too.
-std::size_t label_every(const Ticks& ticks, const std::vector<double>& radii) {
-  const std::size_t rings = ticks.major.empty() ? 0 : ticks.major.size() - 1;
-  for (std::size_t every = 1; 2 * every <= rings; ++every) {
-    if (rings % every == 0 && every_clear(ticks, radii, every)) return every;
-  }
-  std::size_t every = 1;
-  while (every <= rings && !every_clear(ticks, radii, every)) ++every;
-  return every;
-}
-
-/// The rings, the outermost among them where the range ends round; those whose labels have no room stay without.
-Ticks ring_ticks(const PanelPlan& plan, double radius) {
-  constexpr double closest = 16;
-  const auto& axis = plan.panel->y;
-  const auto rings = [&](const Ticks& t) { return t.major.empty() ? 0.0 : static_cast<double>(t.major.size() - 1); };
-  const auto ends_round = [&](const Ticks& t) {
-    return !t.major.empty() && place_in(plan.y, axis.scale, t.major.back().value) > 1 - 1e-6;
-  };
-  int most = 9;
-  auto ticks = make_ticks(axis, plan.y, most);
-  while (most > 3 && (!ends_round(ticks) || rings(ticks) * closest > radius)) ticks = make_ticks(axis, plan.y, --most);
-  if (!ends_round(ticks)) ticks = make_ticks(axis, plan.y, std::clamp(static_cast<int>(radius / 24), 3, 9));
-
-  std::vector<double> radii;
-  for (const auto& tick : ticks.major) radii.push_back(radius * place_in(plan.y, axis.scale, tick.value));
-  const std::size_t every = label_every(ticks, radii);
-  for (std::size_t i = 0; i < ticks.major.size(); ++i) {
-    if ((ticks.major.size() - 1 - i) % every != 0) ticks.major[i].label.clear();
-  }
-  return ticks;
-}
-
-void place_labels(PanelPlan& plan, double radius) {
-  const bool full = is_full_disc(*plan.panel);
-  plan.labels.clear();
-  plan.y_ticks = ring_ticks(plan, radius);
-  place_ring_labels(plan, radius, full);
-  for (const auto& spoke : spokes(plan.panel->x, full).major) {
-    plan.labels.push_back(
-        {spoke.label, font::tick, outside_box(spoke.label, font::tick, spoke.value, radius + tip + 4)});
-  }
-  for (const auto& arrow : plan.panel->arrows) {
-    place_outside(plan.labels, arrow.label, font::axis, arrow.theta, radius + tip + 5);
-  }
-}
-
-/// How far the labels reach beyond a cell of the given width, at either side.
-double overflow(const PanelPlan& plan, double cell) {
-  double most = -cell / 2;
-  for (const auto& label : plan.labels) most = std::max({most, -label.box.x - cell / 2, label.box.right() - cell / 2});
-  return most;
-}
-
-void set_insets(PanelPlan& plan, double radius, double cell) {
-  const bool full = is_full_disc(*plan.panel);
-  const double below = full ? radius : 0;
-  plan.plot.w = 2 * radius;
-  plan.plot.h = radius + below;
-  plan.insets = {cell / 2 - radius, cell / 2 - radius, 0, 0};
-  for (const auto& label : plan.labels) {
-    plan.insets.top = std::max(plan.insets.top, -label.box.y - radius + 4);
-    plan.insets.bottom = std::max(plan.insets.bottom, label.box.bottom() - below);
-  }
-  plan.insets.bottom += plan.x_title.lines.empty() ? 0 : plan.x_title.height() + 6;
 }
 
 void draw_rings(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
@@ -190,14 +41,13 @@ void draw_rings(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
     const double r = disc.radius * place_in(plan.y, plan.panel->y.scale, tick.value);
     if (r > 0.5 && r < disc.radius - 0.5) ring(grid, r);
   }
-  const int last = disc.full ? 11 : 5;
-  const int parts = disc.radius >= 100 ? 2 : 1; // spokes at each 15 degrees where they do not crowd
-  for (int k = -last * parts; k <= last * parts; ++k) {
-    const double theta = k * pi / 6 / parts;
-    const bool labelled = k % parts == 0;
-    if (std::abs(theta) > (disc.full ? pi + 0.1 : pi / 2 - 0.1)) continue;
-    grid.move(disc.at(theta, labelled ? 0 : disc.radius * 0.25));
-    grid.line(disc.at(theta, disc.radius));
+  // The labelled spokes are 30 degrees apart, 45 where the plot is narrow; others lie between where they do not crowd.
+  const int between = disc.radius >= 100 ? 2 : 1;
+  const double step = (plan.narrow ? pi / 4 : pi / 6) / between;
+  const int last = static_cast<int>(std::floor((disc.full ? pi : pi / 2 - 0.01) / step + 1e-9));
+  for (int k = -last; k <= last; ++k) {
+    grid.move(disc.at(k * step, k % between == 0 ? 0 : disc.radius * 0.25));
+    grid.line(disc.at(k * step, disc.radius));
   }
   svg.path(grid, {"bp-no bp-grid", 1, {}, {}});
   PathData outer;
@@ -256,33 +106,6 @@ void draw_surface(SvgWriter& svg, const Disc& disc) {
 }
 
 } // namespace
-
-void measure_polar(const Figure& figure, FigurePlan& plan, double width) {
-  const double cell = width / plan.columns;
-  double radius = std::min(cell / 2 - 20, 250.0);
-  for (const auto& panel : figure.panels) {
-    if (is_full_disc(panel)) radius = std::min(radius, 190.0);
-  }
-  for (int round = 0; round < 4; ++round) {
-    double most = 0;
-    for (auto& panel : plan.panels) {
-      place_labels(panel, radius);
-      most = std::max(most, overflow(panel, cell));
-    }
-    if (most <= 0) break;
-    radius = std::max(radius - most, 30.0);
-  }
-  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    auto& panel = plan.panels[i];
-    place_labels(panel, radius);
-    const std::size_t below = i + static_cast<std::size_t>(plan.columns);
-    const auto& label = figure.panels[i].y.label;
-    if (below >= figure.panels.size() || figure.panels[below].y.label != label) {
-      panel.x_title = fit_text(label, font::axis, cell, 1);
-    }
-    set_insets(panel, radius, cell);
-  }
-}
 
 void draw_polar(SvgWriter& svg, const PanelPlan& plan) {
   const auto disc = disc_of(plan);

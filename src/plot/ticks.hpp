@@ -51,8 +51,9 @@ Range swept_range(const Axis& axis, const Extent& data);
 /// not count.
 Range value_range(const Axis& axis, const Extent& data);
 
-/// The range of a radius: from zero to a round number that the data do not exceed.
-Range radius_range(const Axis& axis, const Extent& data);
+/// The range of a radius: from zero to a round number that the data do not exceed, with at most `most_rings` round
+/// steps between (five at least).
+Range radius_range(const Axis& axis, const Extent& data, int most_rings);
 
 /// The range of a colour bar: exactly the data, a little wider when they are constant.
 Range colour_range(const Axis& axis, const Extent& data);

@@ -139,7 +139,7 @@ TEST_CASE("no data, bad data and data out of all proportion still give a range")
              {}, {automatic}, {inf, -inf}, {-1e308, 1e308}, {1e-320, 1}, {-1, -2}, {0}, {5e-324, 1e308}}) {
       for (const auto& range :
            {value_range(axis_of(scale), extent_of(data, scale)), swept_range(axis_of(scale), extent_of(data, scale)),
-            radius_range(axis_of(scale), extent_of(data, scale)),
+            radius_range(axis_of(scale), extent_of(data, scale), 8),
             colour_range(axis_of(scale), extent_of(data, scale))}) {
         CHECK(range.from < range.to);
         CHECK(std::isfinite(range.to - range.from));
@@ -170,14 +170,16 @@ TEST_CASE("bounds that the axis sets are kept") {
   CHECK(value_range(axis, extent_of({0, 1})).from == -2);
   axis.to = 3;
   CHECK(value_range(axis, extent_of({0, 100})) == Range{-2, 3});
-  CHECK(radius_range(axis, extent_of({0, 100})) == Range{-2, 3});
+  CHECK(radius_range(axis, extent_of({0, 100}), 8) == Range{-2, 3});
 }
 
 TEST_CASE("the radius ends at a round number that the data do not exceed") {
-  for (const double most : {0.63, 1.0, 1.01, 7.9, 150.0, 3e-4, 2e7}) {
-    const auto range = radius_range(axis_of(Scale::linear), extent_of({0, most}));
-    CHECK(range.from == 0);
-    CHECK(range.to >= most * (1 - 1e-6));
-    CHECK(range.to <= 1.4 * most);
+  for (const int rings : {5, 8}) {
+    for (const double most : {0.63, 1.0, 1.01, 7.9, 150.0, 3e-4, 2e7}) {
+      const auto range = radius_range(axis_of(Scale::linear), extent_of({0, most}), rings);
+      CHECK(range.from == 0);
+      CHECK(range.to >= most * (1 - 1e-6));
+      CHECK(range.to <= 1.5 * most);
+    }
   }
 }
