@@ -10,16 +10,15 @@ namespace brdfplot {
 
 namespace {
 
-/// Real roots of k2 x^2 + k1 x + k0, ascending, without cancellation; empty when there is none.
-std::vector<double> roots(double k2, double k1, double k0) {
-  if (k2 == 0) return k1 == 0 ? std::vector<double>{} : std::vector<double>{-k0 / k1};
+/// Smallest positive root of k2 x^2 + k1 x + k0 with k0 > 0, without cancellation; infinity when there is none.
+double first_root(double k2, double k1, double k0) {
   const double discriminant = k1 * k1 - 4 * k2 * k0;
-  if (discriminant < 0) return {};
+  if (discriminant < 0) return infinity;
   const double q = -0.5 * (k1 + std::copysign(std::sqrt(discriminant), k1));
-  if (q == 0) return {0, 0};
-  std::vector<double> both = {q / k2, k0 / q};
-  std::ranges::sort(both);
-  return both;
+  double best = infinity;
+  if (q != 0 && k0 / q > 0) best = k0 / q;
+  if (k2 != 0 && q / k2 > 0) best = std::min(best, q / k2);
+  return best;
 }
 
 } // namespace
@@ -42,9 +41,7 @@ SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o)
   b_ = {b.x(), b.y()};
   m_ = {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
   big_b_ = 1 + mean.squaredNorm();
-  norm1_ = m.col(0).squaredNorm();
-  norm2_ = m.col(1).squaredNorm();
-  dot12_ = m.col(0).dot(m.col(1));
+  symmetric_ = map.alpha_x == map.alpha_y && map.correlation == 0 && map.centred();
 }
 
 Direction SlopeFrame::normal(double u1, double u2) const {
@@ -54,71 +51,76 @@ Direction SlopeFrame::normal(double u1, double u2) const {
   return {-x * z, -y * z, z};
 }
 
-SlopeFrame::Range SlopeFrame::lit(double u1) const {
-  const double k2 = -c() * norm2_;
-  const double k1 = -2 * u1 * (s() * b_[1] + c() * dot12_);
-  const double k0 = c() * big_b_ - 2 * s() * u1 * (big_b_ + b_[0] * u1) - c() * norm1_ * u1 * u1;
-  const auto both = roots(k2, k1, k0);
-  return both.size() == 2 ? Range{both[0], both[1]} : Range{0, 0};
+double SlopeFrame::reach(double cos_psi, double sin_psi, bool lit_only) const {
+  const double horizon = cos_psi > 0 ? a() / cos_psi : infinity;
+  if (!lit_only) return horizon;
+  const double b = b_[0] * cos_psi + b_[1] * sin_psi;
+  const double x = m_[0] * cos_psi + m_[1] * sin_psi;
+  const double y = m_[2] * cos_psi + m_[3] * sin_psi;
+  const double k2 = -2 * s() * cos_psi * b - c() * (x * x + y * y);
+  return std::min(horizon, first_root(k2, -2 * s() * big_b_ * cos_psi, c() * big_b_));
 }
 
-SlopeFrame::Range SlopeFrame::lit() const {
-  // The discriminant of the quadratic in u_2, itself a quadratic in u_1, is positive at u_1 = 0 always.
-  const double half_k1 = -(s() * b_[1] + c() * dot12_);
-  const double k2 = half_k1 * half_k1 - c() * norm2_ * (2 * s() * b_[0] + c() * norm1_);
-  const double k1 = -2 * c() * norm2_ * s() * big_b_;
-  const double k0 = c() * norm2_ * c() * big_b_;
-  Range range{-infinity, infinity};
-  for (const double root : roots(k2, k1, k0)) {
-    if (root < 0) range.low = std::max(range.low, root);
-    if (root > 0) range.high = std::min(range.high, root);
-  }
-  range.high = std::min(range.high, a());
-  return range;
-}
+namespace {
 
-Estimate integrate_normals(const SlopeFrame& frame, const NormalIntegrand& f, bool lit_only, double tolerance) {
-  const auto range = lit_only ? frame.lit() : SlopeFrame::Range{-infinity, frame.a()};
-  std::size_t evaluations = 0;
-  double inner_error = 0;
-  std::vector<Direction> normals;
-  std::vector<double> values;
-  // u_1 = tan v, u_2 = sqrt(1 + u_1^2) tan w: the whole plane is a square, and tails that fall like a power (GGX) are
-  // smooth up to its border.
-  const auto inner = [&](double v) {
-    const double u1 = std::tan(v);
-    const double scale = std::hypot(1.0, u1);
-    const auto limits = lit_only ? frame.lit(u1) : SlopeFrame::Range{-infinity, infinity};
-    const std::array<double, 3> cuts = {std::atan(limits.low / scale), 0, std::atan(limits.high / scale)};
-    const std::array<double, 2> whole = {cuts[0], cuts[2]};
-    const bool split = cuts[0] < 0 && 0 < cuts[2];
-    const auto integrand = [&](const double* w, double* y, std::size_t n) {
-      normals.resize(n);
-      values.resize(n);
-      for (std::size_t k = 0; k < n; ++k) normals[k] = frame.normal(u1, scale * std::tan(w[k]));
-      f(normals, values);
+/// The integral along one ray, over v = atan r.
+class Ray {
+public:
+  Ray(const SlopeFrame& frame, const NormalIntegrand& f, bool lit_only) : frame_(frame), f_(f), lit_only_(lit_only) {}
+
+  Estimate operator()(double psi, double tolerance) {
+    const double cos_psi = std::cos(psi);
+    const double sin_psi = std::sin(psi);
+    const double end = std::atan(frame_.reach(cos_psi, sin_psi, lit_only_));
+    // The V-cavity's other normal starts to face the viewer at u_1 = -a.
+    const double kink = cos_psi < 0 ? std::atan(-frame_.a() / cos_psi) : end;
+    const std::array<double, 3> cuts = {0, std::min(kink, end), end};
+    const auto integrand = [&](const double* v, double* y, std::size_t n) {
+      normals_.resize(n);
+      values_.resize(n);
       for (std::size_t k = 0; k < n; ++k) {
-        const double cos_w = std::cos(w[k]);
-        y[k] = values[k] == 0 ? 0 : values[k] * frame.jacobian(normals[k]) * scale / (cos_w * cos_w);
+        const double r = std::tan(v[k]);
+        normals_[k] = frame_.normal(r * cos_psi, r * sin_psi);
+      }
+      f_(normals_, values_);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double cos_v = std::cos(v[k]);
+        const double area = std::sin(v[k]) / (cos_v * cos_v * cos_v); // r dr / dv
+        y[k] = values_[k] == 0 ? 0 : values_[k] * frame_.jacobian(normals_[k]) * area;
       }
     };
-    const Tolerance goal{.absolute = 0.02 * tolerance / (scale * scale), .relative = 1e-13};
-    const Estimate estimate = split ? integrate(integrand, cuts, goal) : integrate(integrand, whole, goal);
-    evaluations += estimate.evaluations;
-    inner_error = std::max(inner_error, estimate.error * scale * scale);
-    return estimate.value * scale * scale; // d u_1 = (1 + u_1^2) d v
+    return integrate(integrand, cuts, {.absolute = tolerance, .relative = 1e-13});
+  }
+
+private:
+  const SlopeFrame& frame_;
+  const NormalIntegrand& f_;
+  bool lit_only_;
+  std::vector<Direction> normals_;
+  std::vector<double> values_;
+};
+
+} // namespace
+
+Estimate integrate_normals(const SlopeFrame& frame, const NormalIntegrand& f, bool lit_only, double tolerance) {
+  using std::numbers::pi;
+  Ray ray(frame, f, lit_only);
+  std::size_t evaluations = 0;
+  double worst_ray = 0;
+  const auto outer = [&](const double* psi, double* y, std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Estimate estimate = ray(psi[k], 0.05 * tolerance);
+      y[k] = estimate.value;
+      worst_ray = std::max(worst_ray, estimate.error);
+      evaluations += estimate.evaluations;
+    }
   };
-  const double low = std::atan(range.low);
-  const double high = std::atan(range.high);
-  std::vector<double> cuts = {low};
-  for (const double kink : {std::atan(-frame.a()), 0.0})
-    if (low < kink && kink < high) cuts.push_back(kink);
-  cuts.push_back(high);
-  const auto outer = [&](const double* v, double* y, std::size_t n) {
-    for (std::size_t k = 0; k < n; ++k) y[k] = inner(v[k]);
-  };
-  Estimate estimate = integrate(outer, cuts, {.absolute = 0.5 * tolerance}, 4000);
-  estimate.error += (high - low) * inner_error;
+  const std::array<double, 5> whole = {-pi, -pi / 2, 0, pi / 2, pi};
+  const auto cuts = std::span(whole).subspan(frame.symmetric() ? 2 : 0);
+  const double copies = frame.symmetric() ? 2 : 1;
+  Estimate estimate = integrate(outer, cuts, {.absolute = 0.5 * tolerance / copies}, 4000);
+  estimate.value *= copies;
+  estimate.error = copies * estimate.error + 2 * pi * worst_ray;
   estimate.evaluations = evaluations;
   return estimate;
 }

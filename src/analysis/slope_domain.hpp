@@ -27,15 +27,14 @@ public:
   /// Horizon of masking: facets with u_1 >= a face away. Infinite at the normal.
   double a() const { return s() > 0 ? c() / s() : infinity; }
 
-  struct Range {
-    double low, high;
-  };
-  /// u_1 for which some reflected direction is above the mesosurface: with h the normal of slope m~, i.n > 0 reads
-  /// c B - 2 s u_1 (B + b.u) - c |M u|^2 > 0, B = 1 + |mean|^2, b = M^T mean: a disc when the distribution is
-  /// isotropic.
-  Range lit() const;
-  /// The same at a given u_1, for u_2; empty (low = high) outside lit().
-  Range lit(double u1) const;
+  /// How far the ray u = r (cos psi, sin psi) runs, r > 0, before the facet turns away from the viewer (u_1 = a) or,
+  /// with `lit_only`, before it reflects below the horizon of the mesosurface. With h the normal of slope m~, the
+  /// latter reads c B - 2 s B u_1 - 2 s u_1 b.u - c |M u|^2 > 0, B = 1 + |mean|^2, b = M^T mean: a disc around (-tan
+  /// theta_o, 0) when the distribution is isotropic and centred.
+  double reach(double cos_psi, double sin_psi, bool lit_only) const;
+
+  /// Whether the mirror image u_2 -> -u_2 changes nothing.
+  bool symmetric() const { return symmetric_; }
 
 private:
   Projection projection_;
@@ -43,13 +42,14 @@ private:
   std::array<double, 2> mean_, b_;
   std::array<double, 4> m_; ///< M, row-major
   double big_b_;
-  double norm1_, norm2_, dot12_; ///< of the columns of M
+  bool symmetric_;
 };
 
 /// Values of the integrand (per solid angle of omega_m) at n normals.
 using NormalIntegrand = std::function<void(const std::vector<Direction>& normals, std::vector<double>& values)>;
 
 /// Integral over the normals of `f`: those facing the viewer, or (`lit_only`) those that reflect it above the horizon.
+/// In polar coordinates u = tan v (cos psi, sin psi): tails that fall like a power (GGX) are smooth up to v = pi / 2.
 Estimate integrate_normals(const SlopeFrame& frame, const NormalIntegrand& f, bool lit_only, double tolerance);
 
 } // namespace brdfplot

@@ -54,7 +54,10 @@ void mask(const Material& material, Block& block, const std::array<Direction, bl
           side.u[k] = 1;
           if (!(p.c > 0)) continue;
           if constexpr (std::remove_cvref_t<decltype(masking)>::has_lambda) {
-            side.t[k] = masking.masked_area(distribution, p, omega[k]);
+            // Integrals hold one direction fixed, and Lambda may itself be an integral.
+            const bool repeated = k > 0 && omega[k].x == omega[k - 1].x && omega[k].y == omega[k - 1].y &&
+                                  omega[k].z == omega[k - 1].z;
+            side.t[k] = repeated ? side.t[k - 1] : masking.masked_area(distribution, p, omega[k]);
             side.u[k] = p.c + side.t[k];
           } else {
             const Direction& m = block.m[k];

@@ -139,7 +139,8 @@ private:
 
   plot::Axis axis(const Json& panel, const std::string& pointer, const std::string& key, bool swept) {
     Json merged = file_.root().value(key, Json::object());
-    for (const auto& [name, value] : panel.value(key, Json::object()).items()) merged[name] = value;
+    if (panel.contains(key))
+      for (const auto& [name, value] : panel[key].items()) merged[name] = value;
     plot::Axis axis;
     axis.column = merged.value("variable", "");
     axis.label = merged.value("label", axis.column);
@@ -168,6 +169,8 @@ private:
     const bool heatmap = kind_ == plot::Kind::heatmap;
     out.x = axis(object, pointer, "x", true);
     out.y = axis(object, pointer, "y", heatmap);
+    for (const Json* level : {&file_.root(), &object})
+      if (level->contains("x")) out.samples = (*level)["x"].value("samples", out.samples);
     if (heatmap) out.value = axis(object, pointer, "value", false);
     swept_ = {out.x.column};
     if (heatmap) swept_.push_back(out.y.column);
@@ -184,10 +187,11 @@ private:
     if (!heatmap && object.contains("contours")) file_.fail(pointer + "/contours", "only a heat map has contours");
     if (kind_ != plot::Kind::polar && object.contains("arrows"))
       file_.fail(pointer + "/arrows", "only a polar plot has arrows");
-    for (const auto& contour : object.value("contours", Json::array()))
+    const Json contours = object.value("contours", Json::array());
+    for (const auto& contour : contours)
       out.contours.push_back({contour["label"].get<std::string>(), contour["level"].get<double>()});
-    for (const auto& arrow : object.value("arrows", Json::array()))
-      out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, pointer));
+    const Json arrows = object.value("arrows", Json::array());
+    for (const auto& arrow : arrows) out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, pointer));
     return out;
   }
 

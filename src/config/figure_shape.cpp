@@ -18,6 +18,7 @@ ShapePtr axis() {
                  {"label", text(), false, "drawn; _ and ^ start sub- and superscripts"},
                  {"from", angle(), false, "lower end"},
                  {"to", angle(), false, "upper end"},
+                 {"samples", whole_number(2, 100000), false, "evenly spaced points instead of adaptive ones"},
                  {"scale", choice({"linear", "log"}), false, "default linear"},
                  {"unit", choice({"none", "degrees", "radians"}), false,
                   "how ticks are written; values are radians all the same; default none"}});

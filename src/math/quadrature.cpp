@@ -12,9 +12,11 @@ namespace brdfplot {
 
 namespace {
 
-using Kronrod = boost::math::quadrature::gauss_kronrod<double, 21>;
-using Gauss = boost::math::quadrature::gauss<double, 10>;
 constexpr std::size_t node_count = 21;
+constexpr std::size_t gauss_count = node_count / 2;
+constexpr std::size_t middle = node_count / 2;
+using Kronrod = boost::math::quadrature::gauss_kronrod<double, node_count>;
+using Gauss = boost::math::quadrature::gauss<double, gauss_count>;
 
 /// Nodes of the Kronrod rule on [-1, 1] with both weights; a Gauss weight of 0 where the node is not one of Gauss's.
 struct Rule {
@@ -22,10 +24,10 @@ struct Rule {
 
   Rule() {
     // Boost lists the non-negative half, from the centre outwards; Gauss's nodes are every second one from the second.
-    for (std::size_t k = 0; k < 11; ++k) {
-      const double g = k % 2 == 1 ? Gauss::weights()[k / 2] : 0;
-      for (const std::size_t at : {10 + k, 10 - k}) {
-        x[at] = at < 10 ? -Kronrod::abscissa()[k] : Kronrod::abscissa()[k];
+    for (std::size_t k = 0; k <= middle; ++k) {
+      const double g = k % 2 == (gauss_count + 1) % 2 ? Gauss::weights()[k / 2] : 0;
+      for (const std::size_t at : {middle + k, middle - k}) {
+        x[at] = at < middle ? -Kronrod::abscissa()[k] : Kronrod::abscissa()[k];
         kronrod[at] = Kronrod::weights()[k];
         gauss[at] = g;
       }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace brdfplot::plot {
@@ -90,16 +91,65 @@ private:
   std::vector<std::string> labels_;
 };
 
-Series curve(const FigureDescription& figure, const PanelDescription& panel, const SeriesDescription& description,
-             int style) {
-  const Evaluator evaluator(description.value, {panel.x.column}, figure.tolerance);
-  CurveRequest request{panel.x, panel.y, figure.kind == Kind::polar, {}, 129};
-  if (evaluator.costly())
-    request.initial = 33;
-  else
-    request.seeds = seeds(panel.x.column, evaluator.first().fixed());
-  Curve points = sample([&](double x) { return evaluator({x}); }, request);
-  return {description.label, std::move(points.x), std::move(points.y), style, description.ramp};
+/// A series as a function that remembers: the first points are asked for twice.
+class CurveSource {
+public:
+  CurveSource(const FigureDescription& figure, const PanelDescription& panel, const SeriesDescription& series)
+      : evaluator_(series.value, {panel.x.column}, figure.tolerance), request_{
+                                                                          panel.x, panel.y, figure.kind == Kind::polar,
+                                                                          {},      129,     panel.samples == 0} {
+    if (panel.samples > 0)
+      request_.initial = panel.samples;
+    else if (evaluator_.costly())
+      request_.initial = 33;
+    else
+      request_.seeds = seeds(panel.x.column, evaluator_.first().fixed());
+  }
+
+  double value(double x) {
+    const auto known = values_.find(x);
+    if (known != values_.end()) return known->second;
+    return values_.emplace(x, evaluator_({x})).first->second;
+  }
+
+  /// Widens [low, high] to the values at the first points.
+  void widen(double& low, double& high) {
+    for (const double x : first_points(request_)) {
+      const double y = value(x);
+      if (!std::isfinite(y) || (request_.y.scale == Scale::logarithmic && y <= 0)) continue;
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+  }
+
+  Curve draw(double low, double high) {
+    if (std::isnan(request_.y.from) && low < high) request_.y.from = low;
+    if (std::isnan(request_.y.to) && low < high) request_.y.to = high;
+    return sample([this](double x) { return value(x); }, request_);
+  }
+
+private:
+  Evaluator evaluator_;
+  CurveRequest request_;
+  std::map<double, double> values_;
+};
+
+/// The series of a panel, each as fine as the range of all of them asks for.
+void fill_curves(const FigureDescription& figure, const PanelDescription& description, Styles& styles, Panel& panel) {
+  std::vector<CurveSource> sources;
+  double low = infinity;
+  double high = -infinity;
+  for (const auto& series : description.series)
+    naming(place(figure, description, series), [&] {
+      sources.emplace_back(figure, description, series);
+      sources.back().widen(low, high);
+    });
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    const auto& series = description.series[k];
+    Curve points = naming(place(figure, description, series), [&] { return sources[k].draw(low, high); });
+    panel.series.push_back(
+        {series.label, std::move(points.x), std::move(points.y), styles.of(series.label), series.ramp});
+  }
 }
 
 /// `count` + 1 values from `from` to `to`, evenly spaced on the axis's scale.
@@ -145,9 +195,7 @@ Figure compute(const FigureDescription& description) {
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, from.series.at(0)), [&] { fill_heatmap(description, from, panel); });
     } else {
-      for (const auto& series : from.series)
-        naming(place(description, from, series),
-               [&] { panel.series.push_back(curve(description, from, series, styles.of(series.label))); });
+      fill_curves(description, from, styles, panel);
     }
     figure.panels.push_back(std::move(panel));
   }

@@ -13,7 +13,7 @@
 
 namespace brdfplot::plot {
 
-/// A variable with its value. Variables are
+/// A variable with its value; what is set is not swept. Variables are
 /// - directions: theta_o, phi_o, theta_i, phi_i, theta_m, phi_m (radians);
 /// - `a`: theta_o such that 1 / (alpha_o tan theta_o) = a; `slope`: theta_m = atan slope;
 /// - transformations of the whole configuration, directions included: stretch_x, stretch_y (Heitz 2014, section 5.1),
@@ -56,6 +56,7 @@ struct PanelDescription {
   Axis y; ///< the value, or (heat map) swept too
   std::vector<SeriesDescription> series;
   std::vector<Arrow> arrows; ///< polar
+  int samples = 0;           ///< evenly spaced points along x; 0: where the curve bends (see sampling.hpp)
   std::optional<Axis> value; ///< heat map: the value of series[0]
   std::vector<ContourDescription> contours;
 };

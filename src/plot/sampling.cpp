@@ -28,7 +28,9 @@ public:
     }
     low_ = std::isnan(low_) ? data_low : scaled(low_);
     high_ = std::isnan(high_) ? data_high : scaled(high_);
-    if (!(high_ > low_)) high_ = low_ + 1;
+    // Below that it is a constant with rounding or an integral's tolerance on it, which nobody wants drawn larger.
+    const double least = 1e-5 * std::max(std::fabs(low_), std::fabs(high_));
+    if (!(high_ - low_ > least)) high_ = low_ + (least > 0 ? least : 1);
     t_low_ = samples.front().t;
     t_span_ = samples.back().t - t_low_;
   }
@@ -69,9 +71,9 @@ public:
   }
 
   std::vector<Sample> run() {
-    std::vector<double> t = first();
     std::vector<Sample> samples;
-    for (const double value : t) samples.push_back(evaluate(value));
+    for (const double t : first()) samples.push_back(evaluate(t));
+    if (!request_.adaptive) return samples;
     const Canvas canvas(request_, samples);
     std::vector<Sample> refined = {samples.front()};
     for (std::size_t k = 0; k + 1 < samples.size(); ++k) refine(canvas, samples[k], samples[k + 1], 0, refined);
@@ -84,10 +86,6 @@ public:
     if (t == high_) return request_.x.to;
     return logarithmic_ ? std::exp(t) : t;
   }
-
-private:
-  double to_axis(double x) const { return logarithmic_ ? std::log(x) : x; }
-  Sample evaluate(double t) const { return {t, y_(from_axis(t))}; }
 
   std::vector<double> first() const {
     std::vector<double> t;
@@ -107,6 +105,10 @@ private:
     if (t.back() != high_) t.back() = high_;
     return t;
   }
+
+private:
+  double to_axis(double x) const { return logarithmic_ ? std::log(x) : x; }
+  Sample evaluate(double t) const { return {t, y_(from_axis(t))}; }
 
   void refine(const Canvas& canvas, const Sample& a, const Sample& b, int depth, std::vector<Sample>& out) const {
     const double t = 0.5 * (a.t + b.t);
@@ -158,6 +160,14 @@ private:
 };
 
 } // namespace
+
+std::vector<double> first_points(const CurveRequest& request) {
+  const std::function<double(double)> none;
+  const Sampler sampler(none, request);
+  std::vector<double> points = sampler.first();
+  for (double& point : points) point = sampler.from_axis(point);
+  return points;
+}
 
 Curve sample(const std::function<double(double)>& y, const CurveRequest& request) {
   Sampler sampler(y, request);
