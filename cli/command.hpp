@@ -1,0 +1,46 @@
+/// \file
+/// What the commands share: the global flags, and how a command is added. One file a command.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+} // namespace CLI
+
+namespace brdfplot::cli {
+
+/// The global flags.
+struct Settings {
+  int threads = 1;
+  bool quiet = false;
+  std::string progress = "auto"; ///< auto, always or never
+  std::string color = "auto";    ///< auto, always or never
+};
+
+/// A command: its description and flags in CLI11, and what it does after parsing. Returns the exit code.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+/// Each adds a command to `app`. `settings` is read when the command runs.
+Command add_eval(CLI::App& app, const Settings& settings);
+Command add_plot(CLI::App& app, const Settings& settings);
+Command add_report(CLI::App& app, const Settings& settings);
+Command add_list(CLI::App& app);
+Command add_schema(CLI::App& app);
+Command add_validate(CLI::App& app, const Settings& settings);
+
+/// The end of every command's help.
+std::string footer(const std::string& example);
+
+/// \throws InputError when `value`, which `command` needs, is not given; `what` says what it is.
+void require_argument(bool given, const std::string& command, const std::string& what);
+
+/// Text to stdout, all of it or a FileError.
+void print(const std::string& text);
+
+} // namespace brdfplot::cli

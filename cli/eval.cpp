@@ -1,0 +1,83 @@
+/// \file
+/// brdfplot eval: quantities of a material for a stream of directions.
+
+#include "analysis/stream.hpp"
+#include "command.hpp"
+#include "config/load.hpp"
+#include "math/errors.hpp"
+#include "math/number.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace brdfplot::cli {
+
+namespace {
+
+struct EvalFlags {
+  std::string material;
+  std::vector<std::string> quantities;
+  std::string input = "-";
+  std::string output = "-";
+  std::string tolerance;
+};
+
+std::vector<std::string> split(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const auto& list : lists) {
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      names.push_back(list.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+  return names;
+}
+
+double read_tolerance(const std::string& text) {
+  if (text.empty()) return default_tolerance;
+  const auto value = parse_number(text);
+  if (!value || !(*value > 0) || *value == infinity)
+    throw InputError("--tolerance", "found \"" + text + "\", accepted: a number > 0");
+  return *value;
+}
+
+int run(const EvalFlags& flags, const Settings& settings) {
+  require_argument(!flags.material.empty(), "eval", "MATERIAL.json");
+  require_argument(!flags.quantities.empty(), "eval", "-q Q[,Q...]");
+  const StreamOptions options{select_quantities(split(flags.quantities), "-q"), read_tolerance(flags.tolerance),
+                              settings.threads};
+  Material material = build(config::load_material(flags.material));
+  material.name = flags.material; // errors name the material by its file
+  InputFile in(flags.input);
+  OutputFile out(flags.output);
+  evaluate_stream(material, options, in, out);
+  out.commit();
+  return 0;
+}
+
+} // namespace
+
+Command add_eval(CLI::App& app, const Settings& settings) {
+  const auto flags = std::make_shared<EvalFlags>();
+  CLI::App* command = app.add_subcommand("eval", "Quantities of a material for the directions of a CSV");
+  command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
+  command
+      ->add_option("-q,--quantities", flags->quantities,
+                   "What to compute, separated by commas (brdfplot list quantities)")
+      ->type_name("Q[,Q...]")
+      ->allow_extra_args(false);
+  command
+      ->add_option("-i,--input", flags->input,
+                   "Directions: columns theta_o phi_o theta_i ..., or x_o y_o z_o ...; default: stdin")
+      ->type_name("FILE|-");
+  command->add_option("-o,--output", flags->output, "Every input column, then one per quantity; default: stdout")
+      ->type_name("FILE|-");
+  command->add_option("--tolerance", flags->tolerance, "Largest error accepted of integrals; default: 1e-9")
+      ->type_name("NUMBER");
+  command->footer(footer("brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv"));
+  return {command, [flags, &settings] { return run(*flags, settings); }};
+}
+
+} // namespace brdfplot::cli

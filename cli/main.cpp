@@ -1,0 +1,109 @@
+/// \file
+/// The command line: global flags, the commands, and errors as exit codes.
+
+#include "command.hpp"
+#include "math/errors.hpp"
+#include "math/interrupt.hpp"
+#include "math/parallel.hpp"
+#include "microfacet/parameters.hpp"
+#include "terminal.hpp"
+#include "usage.hpp"
+#include "version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <new>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace brdfplot;
+
+/// A standard stream that is closed would give its number to the next file that is opened, and what is meant for
+/// stderr would end up in it. Each is opened the wrong way round, so that its use is an error, as it should be.
+void keep_standard_streams_apart() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) return;
+}
+
+std::string check_threads(const std::string& text) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error == std::errc() && end == text.data() + text.size() && count >= 1) return {};
+  return "found \"" + text + "\", accepted: a whole number >= 1";
+}
+
+std::string check_when(const std::string& text) {
+  const std::vector<std::string> accepted = {"auto", "always", "never"};
+  if (std::ranges::find(accepted, text) != accepted.end()) return {};
+  return unknown_name("value", text, accepted);
+}
+
+void add_global_flags(CLI::App& app, cli::Settings& settings) {
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_version_flag("--version", "brdfplot " + std::string(version), "Print the version and exit");
+  app.add_option("--threads", settings.threads, "How many threads compute; default: all")
+      ->type_name("N")
+      ->check(CLI::Validator(check_threads, ""));
+  app.add_flag("--quiet", settings.quiet, "Nothing but errors on stderr, nothing of validate on stdout");
+  app.add_option("--progress", settings.progress, "Progress on stderr: auto (on a terminal), always, never")
+      ->type_name("WHEN")
+      ->check(CLI::Validator(check_when, ""));
+  app.add_option("--color", settings.color, "Colour on stderr: auto (on a terminal, without NO_COLOR), always, never")
+      ->type_name("WHEN")
+      ->check(CLI::Validator(check_when, ""));
+}
+
+int parse_and_run(int argc, char** argv, cli::Settings& settings) {
+  CLI::App app("Microfacet BRDF models: evaluation, figures and reports", "brdfplot");
+  app.fallthrough();
+  add_global_flags(app, settings);
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.footer("\nbrdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"
+             "  brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv");
+  const std::vector<cli::Command> commands = {cli::add_eval(app, settings),   cli::add_plot(app, settings),
+                                              cli::add_report(app, settings), cli::add_list(app),
+                                              cli::add_schema(app),           cli::add_validate(app, settings)};
+  for (const auto& command : commands) command.app->group("Commands");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForVersion& call) {
+    cli::print(std::string(call.what()) + "\n");
+    return 0;
+  } catch (const CLI::CallForHelp&) {
+    cli::print(app.help());
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    throw cli::usage_error(app, error);
+  }
+  for (const auto& command : commands)
+    if (command.app->parsed()) return command.run();
+  throw cli::no_command(app);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  keep_standard_streams_apart();
+  std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of the write
+  install_interrupt_handler();
+  cli::Settings settings;
+  settings.threads = hardware_threads();
+  try {
+    return parse_and_run(argc, argv, settings);
+  } catch (const Error& error) {
+    cli::print_error(settings, error.what());
+    return error.exit_code();
+  } catch (const std::bad_alloc&) {
+    cli::print_error(settings, "memory: there is not enough");
+    return 3;
+  } catch (const std::exception& error) {
+    cli::print_error(settings, std::string("internal: ") + error.what());
+    return 2;
+  }
+}

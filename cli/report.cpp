@@ -1,0 +1,164 @@
+/// \file
+/// brdfplot report: every figure and table of a manifest, as a folder with a page.
+
+#include "command.hpp"
+#include "config/load.hpp"
+#include "math/errors.hpp"
+#include "math/text_files.hpp"
+#include "plot/page.hpp"
+#include "render.hpp"
+#include "report_tables.hpp"
+#include "version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <set>
+
+namespace brdfplot::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportFlags {
+  std::string manifest;
+  std::string output;
+};
+
+/// One entry, computed.
+struct Computed {
+  RenderedFigure figure;
+  std::vector<PropertyRow> rows;
+  std::vector<double> row_seconds;
+};
+
+/// A file of the report, relative to its folder.
+struct OutputText {
+  std::string name;
+  std::string text;
+};
+
+std::string built_in_manifest() {
+  const fs::path name = fs::path("reports") / "heitz2014.json";
+  std::error_code error;
+  std::vector<fs::path> folders;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  if (!error) folders.push_back((executable.parent_path() / config_directory_from_executable).lexically_normal());
+  folders.insert(folders.end(), config_directories.begin(), config_directories.end());
+  for (const auto& folder : folders)
+    if (fs::exists(folder / name, error)) return (folder / name).string();
+  throw FileError((folders.back() / name).string(), "cannot read: the built-in report is not installed");
+}
+
+/// What has to be computed for `entry`: a figure at once, a table row by row.
+void append_tasks(const config::ReportEntry& entry, Computed& computed, std::vector<Task>& tasks) {
+  if (const auto* figure = std::get_if<plot::FigureDescription>(&entry.what)) {
+    tasks.push_back({figure->id, [figure, &computed] { computed.figure = render(*figure); }});
+    return;
+  }
+  const auto& table = std::get<PropertyTableDescription>(entry.what);
+  const std::size_t columns = table.distributions.size();
+  computed.rows.resize(table.maskings.size() * columns);
+  computed.row_seconds.resize(computed.rows.size());
+  for (std::size_t r = 0; r < computed.rows.size(); ++r) {
+    const std::string& masking = table.maskings[r / columns];
+    const std::string& distribution = table.distributions[r % columns];
+    const auto measure = [&table, &computed, masking, distribution, r] {
+      computed.row_seconds[r] = timed([&] { computed.rows[r] = measure_properties(table, distribution, masking); });
+    };
+    tasks.push_back({table.id + ", " + distribution + " with " + masking, measure});
+  }
+}
+
+/// The folder's content, gathered entry by entry.
+struct Content {
+  std::vector<OutputText> files;
+  std::vector<plot::PageEntry> page;
+  std::vector<config::EntryRecord> records;
+
+  void add(const config::ReportEntry& entry, const plot::FigureDescription& figure, const Computed& computed) {
+    const auto& [svg, csv, seconds] = computed.figure;
+    page.push_back({figure.id, entry.section, figure.title, figure.caption, svg, csv, entry.json, {}, seconds});
+    const std::string stem = "figures/" + figure.id;
+    records.push_back({figure.id, "figure", {stem + ".svg", stem + ".csv"}, seconds, {}});
+    files.push_back({stem + ".svg", svg});
+    files.push_back({stem + ".csv", csv});
+  }
+
+  void add(const config::ReportEntry& entry, const PropertyTableDescription& table, const Computed& computed) {
+    const std::string csv = table_csv(computed.rows);
+    const double seconds = std::accumulate(computed.row_seconds.begin(), computed.row_seconds.end(), 0.0);
+    page.push_back({table.id, entry.section, table.title, table.caption, "", csv, entry.json,
+                    table_cells(computed.rows), seconds});
+    const std::string stem = "tables/" + table.id;
+    records.push_back({table.id, "table", {stem + ".csv", stem + ".md"}, seconds, computed.rows});
+    files.push_back({stem + ".csv", csv});
+    files.push_back({stem + ".md", table_markdown(table, computed.rows)});
+  }
+};
+
+/// Removes what an earlier report left in figures/ and tables/. Files of other kinds are not this program's.
+void remove_stale(const std::string& folder, const std::vector<OutputText>& files) {
+  std::set<fs::path> current;
+  for (const auto& file : files) current.insert(fs::path(folder) / file.name);
+  std::error_code error;
+  for (const char* part : {"figures", "tables"}) {
+    std::vector<fs::path> stale;
+    for (const auto& entry : fs::directory_iterator(fs::path(folder) / part, error)) {
+      const auto extension = entry.path().extension();
+      const bool ours = extension == ".svg" || extension == ".csv" || extension == ".md";
+      if (ours && entry.is_regular_file(error) && !current.contains(entry.path())) stale.push_back(entry.path());
+    }
+    for (const auto& path : stale) remove_file(path.string());
+  }
+}
+
+/// Nothing is written before everything is computed, and the page that refers to the rest comes last.
+void write(const std::string& folder, std::vector<OutputText> files, const OutputText& record, const OutputText& page) {
+  create_folders(in_folder(folder, "figures"));
+  create_folders(in_folder(folder, "tables"));
+  for (const auto& file : files) write_text_file(in_folder(folder, file.name), file.text);
+  remove_stale(folder, files);
+  for (const auto& file : {record, page}) write_text_file(in_folder(folder, file.name), file.text);
+}
+
+int run(const ReportFlags& flags, const Settings& settings) {
+  require_argument(!flags.output.empty(), "report", "-o DIR");
+  const auto report = config::load_report(flags.manifest.empty() ? built_in_manifest() : flags.manifest);
+  create_folders(flags.output);
+  std::vector<Computed> computed(report.entries.size());
+  const double seconds = timed([&] {
+    std::vector<Task> tasks;
+    for (std::size_t k = 0; k < computed.size(); ++k) append_tasks(report.entries[k], computed[k], tasks);
+    run_tasks(tasks, settings);
+  });
+  Content content;
+  for (std::size_t k = 0; k < computed.size(); ++k)
+    std::visit([&](const auto& what) { content.add(report.entries[k], what, computed[k]); }, report.entries[k].what);
+  const std::string made_by = "Made by brdfplot " + std::string(version) + " from " + report.id + ".json in " +
+                              std::to_string(std::lround(std::ceil(seconds))) + " s.";
+  const OutputText record{"report.json", config::report_record(report, std::string(version), content.records, seconds)};
+  const OutputText page{"index.html",
+                        plot::to_html({report.title, report.introduction, made_by, std::move(content.page)})};
+  write(flags.output, std::move(content.files), record, page);
+  return 0;
+}
+
+} // namespace
+
+Command add_report(CLI::App& app, const Settings& settings) {
+  const auto flags = std::make_shared<ReportFlags>();
+  CLI::App* command = app.add_subcommand("report", "Every figure and table of a manifest, as a folder with a page");
+  command->add_option("manifest", flags->manifest, "The report; default: the built-in one of Heitz 2014")
+      ->type_name("MANIFEST.json");
+  command->add_option("-o,--output", flags->output, "Folder of index.html, figures/, tables/ and report.json")
+      ->type_name("DIR");
+  command->footer(footer("brdfplot report configs/reports/heitz2014.json -o report"));
+  return {command, [flags, &settings] { return run(*flags, settings); }};
+}
+
+} // namespace brdfplot::cli

@@ -1,0 +1,94 @@
+#include "terminal.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iomanip>
+#include <sstream>
+#include <string_view>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace brdfplot::cli {
+
+namespace {
+
+constexpr std::string_view clear_line = "\r\x1b[K";
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+bool coloured(const Settings& settings) {
+  if (settings.color != "auto") return settings.color == "always";
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  return isatty(STDERR_FILENO) == 1 && !is_set("NO_COLOR") && !dumb;
+}
+
+/// There is nowhere left to tell that stderr cannot be written.
+void write_to_stderr(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+    if (count <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+std::size_t columns_of(int fd, std::size_t otherwise) {
+  winsize size{};
+  return ioctl(fd, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : otherwise;
+}
+
+} // namespace
+
+void print_error(const Settings& settings, const std::string& message) {
+  std::string text = message;
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  write_to_stderr((coloured(settings) ? "brdfplot: \x1b[1;31merror:\x1b[0m " : "brdfplot: error: ") + text + "\n");
+}
+
+std::size_t output_width() { return std::clamp<std::size_t>(columns_of(STDOUT_FILENO, 100), 40, 120); }
+
+Progress::Progress(const Settings& settings, std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) == 1) {
+  shown_ = settings.progress == "always" || (settings.progress == "auto" && terminal_ && !settings.quiet);
+}
+
+Progress::~Progress() {
+  if (shown_ && terminal_) write_to_stderr(clear_line);
+}
+
+void Progress::start(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  running_.push_back(name);
+  if (shown_ && terminal_) draw();
+}
+
+void Progress::finish(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  running_.erase(std::ranges::find(running_, name));
+  ++done_;
+  if (shown_) draw();
+}
+
+std::string Progress::line() const {
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1) << done_ << '/' << total_;
+  if (done_ > 0) {
+    const double rate = static_cast<double>(done_) / seconds;
+    out << ", " << rate << "/s, " << static_cast<double>(total_ - done_) / rate << " s left";
+  }
+  if (!running_.empty()) out << ": " << running_.back();
+  return out.str();
+}
+
+void Progress::draw() const {
+  if (!terminal_) return write_to_stderr(line() + "\n");
+  // A line that wraps could not be cleared.
+  write_to_stderr(std::string(clear_line) + line().substr(0, columns_of(STDERR_FILENO, 80) - 1));
+}
+
+} // namespace brdfplot::cli

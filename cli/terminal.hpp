@@ -1,0 +1,46 @@
+/// \file
+/// What people see while a command runs: errors, progress, and how wide their terminal is.
+#pragma once
+
+#include "command.hpp"
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace brdfplot::cli {
+
+/// `brdfplot: error: MESSAGE` on stderr: one line, whatever the message holds.
+void print_error(const Settings& settings, const std::string& message);
+
+/// Columns of the terminal that stdout is, within reason; 100 when it is none.
+std::size_t output_width();
+
+/// Tasks done of how many, their rate, the time left and what is being computed: on a terminal one line that changes,
+/// elsewhere (`--progress always`) a line for every task. Safe to call from several threads.
+class Progress {
+public:
+  Progress(const Settings& settings, std::size_t total);
+  /// Clears the line.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void start(const std::string& name);
+  void finish(const std::string& name);
+
+private:
+  std::string line() const;
+  void draw() const;
+
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  std::size_t total_ = 0;
+  std::size_t done_ = 0;
+  std::vector<std::string> running_;
+  bool shown_ = false;
+  bool terminal_ = false;
+};
+
+} // namespace brdfplot::cli

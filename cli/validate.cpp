@@ -1,0 +1,45 @@
+/// \file
+/// brdfplot validate: files read and checked, nothing computed.
+
+#include "command.hpp"
+#include "config/load.hpp"
+#include "math/errors.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace brdfplot::cli {
+
+namespace {
+
+int run(const std::vector<std::string>& files, const Settings& settings) {
+  require_argument(!files.empty(), "validate", "FILE...");
+  int code = 0;
+  for (const auto& file : files) {
+    std::string kind;
+    try {
+      kind = config::validate(file);
+    } catch (const Error& error) {
+      print_error(settings, error.what());
+      code = std::max(code, error.exit_code());
+      continue;
+    }
+    if (!settings.quiet) print(file + ": ok (" + kind + ")\n");
+  }
+  return code;
+}
+
+} // namespace
+
+Command add_validate(CLI::App& app, const Settings& settings) {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand("validate", "Check materials, figures and reports without computing");
+  command->add_option("files", *files, "The files, of any kind")->type_name("FILE");
+  command->footer(footer("brdfplot validate configs/materials/ggx.json configs/materials/rough_gold.json"));
+  return {command, [files, &settings] { return run(*files, settings); }};
+}
+
+} // namespace brdfplot::cli
