@@ -6,7 +6,7 @@
 namespace brdfplot::cli {
 
 std::string footer(const std::string& example) {
-  return "\nGlobal flags, before or after the command: --threads --quiet --progress --color (see brdfplot --help)\n"
+  return "Global flags, before or after the command: --threads --quiet --progress --color (see brdfplot --help)\n"
          "\nExample:\n  " +
          example;
 }

@@ -13,35 +13,55 @@
 #include <algorithm>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 namespace brdfplot::cli {
 
 namespace {
 
+/// Of names, of what is said of them, and of the gap behind the longest of a group of names.
 constexpr std::size_t name_column = 2;
 constexpr std::size_t text_column = 6;
+constexpr std::size_t gap = 2;
 
-/// `text` in lines of the output's width, all but the first indented; words stay whole.
-std::string wrapped(const std::string& text, std::size_t first_column, std::size_t column) {
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// `text` behind `lead`, in lines of the output's width that all start at `column`; words stay whole.
+std::string wrapped(const std::string& lead, const std::string& text, std::size_t column) {
   const std::size_t width = output_width();
-  std::string out(first_column, ' ');
-  std::size_t used = first_column;
+  std::string out = lead + std::string(column - width_of(lead), ' ');
+  std::size_t used = column;
   bool at_start = true;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const auto length = static_cast<std::size_t>(
-        std::ranges::count_if(word, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-    if (!at_start && used + 1 + length > width) {
+    if (!at_start && used + 1 + width_of(word) > width) {
       out += "\n" + std::string(column, ' ');
       used = column;
       at_start = true;
     }
     out += (at_start ? "" : " ") + word;
-    used += length + (at_start ? 0 : 1);
+    used += width_of(word) + (at_start ? 0 : 1);
     at_start = false;
   }
   return out + "\n";
 }
+
+/// Lines of a name and a text each, the texts below each other.
+struct Lines {
+  std::vector<std::pair<std::string, std::string>> lines;
+
+  std::string aligned(std::size_t column) const {
+    std::size_t longest = 0;
+    for (const auto& [name, text] : lines) longest = std::max(longest, width_of(name));
+    std::string out;
+    for (const auto& [name, text] : lines)
+      out += wrapped(std::string(column, ' ') + name, text, column + longest + gap);
+    return out;
+  }
+};
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator) {
   std::string out;
@@ -77,17 +97,18 @@ std::string need(const ModelSpec& spec, const ParameterSpec& parameter) {
 }
 
 std::string describe(const ModelSpec& spec) {
-  std::string out = wrapped(spec.type + ": " + spec.doc, name_column, text_column);
-  if (!spec.source.empty()) out += wrapped("[" + spec.source + "]", text_column, text_column);
+  std::string out = std::string(name_column, ' ') + spec.type + "\n" + wrapped("", spec.doc, text_column);
+  if (!spec.source.empty()) out += wrapped("", "[" + spec.source + "]", text_column);
+  Lines parameters;
   for (const auto& parameter : spec.parameters) {
     const std::string needed = need(spec, parameter);
-    out += wrapped(parameter.key + ": " + parameter.doc + "; " + accepted(parameter) +
-                       (needed.empty() ? "" : "; " + needed),
-                   text_column, text_column + 4);
+    parameters.lines.emplace_back(parameter.key,
+                                  parameter.doc + "; " + accepted(parameter) + (needed.empty() ? "" : "; " + needed));
   }
+  out += parameters.aligned(text_column);
   std::vector<std::string> groups;
   for (const auto& group : spec.alternatives) groups.push_back(joined(group, " with "));
-  if (!groups.empty()) out += wrapped("needs either " + joined(groups, ", or "), text_column, text_column + 4);
+  if (!groups.empty()) out += wrapped("", "Needs either " + joined(groups, ", or ") + ".", text_column);
   return out;
 }
 
@@ -107,14 +128,14 @@ std::string needs_of(const QuantityInfo& info) {
 }
 
 std::string describe_quantities() {
-  std::string out = "Quantities (brdfplot eval -q)\n";
-  const auto line = [&](const std::string& name, const std::string& doc, const std::string& needs, bool coloured) {
-    out += wrapped(name + ": " + doc + "; needs " + needs + (coloured ? "; per channel where the Fresnel term is" : ""),
-                   name_column, text_column);
+  Lines all;
+  const auto add = [&](const std::string& name, const std::string& doc, const std::string& needs, bool coloured) {
+    all.lines.emplace_back(name,
+                           doc + "; needs " + needs + (coloured ? "; per channel where the Fresnel term is" : ""));
   };
-  for (const auto& info : quantities()) line(info.name, info.doc, needs_of(info), info.coloured);
-  for (const auto& info : integrals()) line(info.name, info.doc, "omega_o", info.coloured);
-  return out;
+  for (const auto& info : quantities()) add(info.name, info.doc, needs_of(info), info.coloured);
+  for (const auto& info : integrals()) add(info.name, info.doc, "omega_o", info.coloured);
+  return "Quantities (brdfplot eval -q)\n" + all.aligned(name_column);
 }
 
 struct Section {

@@ -64,7 +64,7 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   app.fallthrough();
   add_global_flags(app, settings);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.footer("\nbrdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"
+  app.footer("brdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"
              "  brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv");
   const std::vector<cli::Command> commands = {cli::add_eval(app, settings),   cli::add_plot(app, settings),
                                               cli::add_report(app, settings), cli::add_list(app),

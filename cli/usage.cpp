@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,20 @@ std::vector<std::string> command_names(const CLI::App& app) {
 }
 
 void append_flags(const CLI::App& app, std::vector<std::string>& flags) {
+  const auto append = [&](const std::string& flag) {
+    if (std::ranges::find(flags, flag) == flags.end()) flags.push_back(flag);
+  };
   for (const CLI::Option* option : app.get_options()) {
-    for (const auto& name : option->get_snames()) flags.push_back("-" + name);
-    for (const auto& name : option->get_lnames()) flags.push_back("--" + name);
+    for (const auto& name : option->get_snames()) append("-" + name);
+    for (const auto& name : option->get_lnames()) append("--" + name);
   }
+}
+
+/// CLI11's message of a flag starts with it, and then counts arguments.
+InputError miscounted(const std::string& message) {
+  const std::string flag = message.substr(0, message.find(':'));
+  const bool missing = message.ends_with("missing");
+  return {flag, missing ? "needs a value after it" : "is given more than once"};
 }
 
 /// `argument` is what nothing took.
@@ -44,6 +55,8 @@ InputError unexpected(const CLI::App& app, const std::string& argument) {
 InputError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto rest = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty()) return unexpected(app, rest.front());
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return miscounted(error.what());
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return {"", error.what()};
   return {command_line, error.what()};
 }
 
