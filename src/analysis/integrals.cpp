@@ -136,8 +136,8 @@ Direction azimuth(const Direction& o) {
 /// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i.
 Estimate mean_theta_i(const Material& material, const Direction& o, double tolerance) {
   const Direction along = azimuth(o);
-  const auto x = reflected_light(material, o, tolerance, 0, [&](const Direction& i) { return dot(along, i); });
-  const auto z = reflected_light(material, o, tolerance, 0, [](const Direction& i) { return i.z; });
+  const auto x = reflected_light(material, o, 0.1 * tolerance, 0, [&](const Direction& i) { return dot(along, i); });
+  const auto z = reflected_light(material, o, 0.1 * tolerance, 0, [](const Direction& i) { return i.z; });
   const double length = std::hypot(x.value, z.value);
   return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
           x.evaluations + z.evaluations};
