@@ -61,7 +61,8 @@ class CountingProxy:
 class Browser:
     """Headless Chromium with a fresh profile, spoken to over its debugging pipe (descriptors 3 and 4 of its process)."""
 
-    def __init__(self, profile: str) -> None:
+    def __init__(self) -> None:
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
         if program is None:
             sys.exit("No Chromium found")
@@ -69,7 +70,7 @@ class Browser:
             program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-default-apps",
             "--disable-domain-reliability", "--disable-extensions", "--disable-sync", "--disable-dev-shm-usage",
-            "--metrics-recording-only", "--no-default-browser-check", "--no-pings", f"--user-data-dir={profile}",
+            "--metrics-recording-only", "--no-default-browser-check", "--no-pings", f"--user-data-dir={self.profile.name}",
             "--proxy-server=127.0.0.1:1", "--remote-debugging-pipe", "about:blank",
         ]  # fmt: skip
         their_input, self.input = os.pipe()
@@ -139,6 +140,13 @@ class Browser:
             self.process.kill()
             self.process.wait()
         os.close(self.output)
+        self.profile.cleanup()
+
+    def __enter__(self) -> "Browser":
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.close()
 
 
 def fault_of(event: dict, page_url: str) -> str | None:
@@ -161,32 +169,26 @@ def fault_of(event: dict, page_url: str) -> str | None:
     return None
 
 
-def check(page: Path) -> list[str]:
+def check(browser: Browser, page: Path) -> list[str]:
     """Everything that is wrong with the page."""
     page = page.resolve()
     if not page.is_file():
         return ["no such file"]
     url = page.as_uri()
     proxy = CountingProxy()
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        browser = Browser(profile)
-        try:
-            context = browser.call(
-                "Target.createBrowserContext",
-                proxyServer=f"127.0.0.1:{proxy.port}",
-                proxyBypassList="<-loopback>",
-            )["browserContextId"]
-            target = browser.call("Target.createTarget", url="about:blank", browserContextId=context)["targetId"]
-            session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-            for domain in ("Runtime", "Log", "Network", "Page"):
-                browser.call(f"{domain}.enable", session)
-            browser.events.clear()
-            browser.call("Page.navigate", session, url=url)
-            browser.wait_for("Page.loadEventFired")
-            browser.collect(SETTLE)
-            drawn, links = browser.call("Runtime.evaluate", session, expression=SUMMARY, returnByValue=True)["result"]["value"]
-        finally:
-            browser.close()
+    context = browser.call(
+        "Target.createBrowserContext", proxyServer=f"127.0.0.1:{proxy.port}", proxyBypassList="<-loopback>"
+    )["browserContextId"]
+    target = browser.call("Target.createTarget", url="about:blank", browserContextId=context)["targetId"]
+    session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+    for domain in ("Runtime", "Log", "Network", "Page"):
+        browser.call(f"{domain}.enable", session)
+    browser.events.clear()
+    browser.call("Page.navigate", session, url=url)
+    browser.wait_for("Page.loadEventFired")
+    browser.collect(SETTLE)
+    drawn, links = browser.call("Runtime.evaluate", session, expression=SUMMARY, returnByValue=True)["result"]["value"]
+    browser.call("Target.disposeBrowserContext", browserContextId=context)
     proxy.close()
 
     faults = [fault for event in browser.events if (fault := fault_of(event, url))]
@@ -227,11 +229,11 @@ def self_test() -> None:
         "no figure": "<p>nothing</p>",
     }
     wrong = []
-    with tempfile.TemporaryDirectory() as folder:
+    with Browser() as browser, tempfile.TemporaryDirectory() as folder:
         page = Path(folder, "page ü.html")
         for name, body in [*((f"good {i}", b) for i, b in enumerate(good)), *bad.items()]:
             page.write_text(f"<!doctype html><meta charset=utf-8><title>t</title><body>{body}", encoding="utf-8")
-            faults = check(page)
+            faults = check(browser, page)
             print(f"{name}: {faults}")
             if bool(faults) != (name in bad):
                 wrong.append(name)
@@ -239,7 +241,7 @@ def self_test() -> None:
         for name in ("a", "b"):
             Path(folder, "figures", f"{name}.svg").write_text(svg, encoding="utf-8")
         page.write_text(f"<!doctype html><meta charset=utf-8><title>t</title>{svg}", encoding="utf-8")
-        if not check(page):
+        if not check(browser, page):
             wrong.append("one of two figures")
     if wrong:
         sys.exit(f"self-test: wrong about {', '.join(wrong)}")
@@ -249,7 +251,8 @@ if __name__ == "__main__":
     if sys.argv[1:] == ["--self-test"]:
         self_test()
     elif len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
-        found = [f"{page}: {fault}" for page in sys.argv[1:] for fault in check(Path(page))]
+        with Browser() as chromium:
+            found = [f"{page}: {fault}" for page in sys.argv[1:] for fault in check(chromium, Path(page))]
         for fault in found:
             print(fault)
         sys.exit(bool(found))
