@@ -1,0 +1,67 @@
+#include "../materials.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace test;
+
+namespace {
+
+double g2(const std::string& type, const std::string& factor, const Direction& o, const Direction& i) {
+  return value(build(shadowed(describe("ggx", 0.8), type, factor)), Quantity::g2, o, i);
+}
+
+} // namespace
+
+TEST_CASE("G2 in all its forms, from G1 and Lambda") {
+  const Material m = material("ggx", 0.8);
+  for (const double phi : {0.0, 0.4, 2.0, 3.14159, 5.0, -0.4}) {
+    const Direction o = from_angles(1.2, 0.3), i = from_angles(0.9, 0.3 + phi);
+    const double wrapped = std::fabs(std::remainder(phi, 2 * std::numbers::pi));
+    const double lo = lambda(m, o), li = lambda(m, i), go = 1 / (1 + lo), gi = 1 / (1 + li);
+    INFO("phi = " << phi);
+    CHECK(relative(g2("none", "", o, i), go) < 4e-15);
+    CHECK(relative(g2("separable", "", o, i), go * gi) < 4e-15);
+    CHECK(relative(g2("minimum", "", o, i), std::min(go, gi)) < 4e-15);
+    CHECK(relative(g2("height_correlated", "", o, i), 1 / (1 + lo + li)) < 4e-15);
+    for (const auto* factor : {"ashikhmin", "ginneken"}) {
+      const double l = std::string(factor) == "ashikhmin" ? 1 - std::exp(-7.3 * wrapped * wrapped)
+                                                          : 4.41 * wrapped / (4.41 * wrapped + 1);
+      CHECK(relative(g2("direction_correlated", factor, o, i), l * go * gi + (1 - l) * std::min(go, gi)) < 1e-13);
+      CHECK(relative(g2("height_direction_correlated", factor, o, i),
+                     1 / (1 + std::max(lo, li) + l * std::min(lo, li))) < 1e-13);
+    }
+  }
+}
+
+TEST_CASE("at the hotspot nothing that is seen is in shadow") {
+  const Direction o = from_angles(1.3, 0.7);
+  const double masking = g1(material("ggx", 0.8), o);
+  for (const auto* type : {"direction_correlated", "height_direction_correlated"})
+    for (const auto* factor : {"ashikhmin", "ginneken"}) CHECK(relative(g2(type, factor, o, o), masking) < 1e-14);
+  CHECK(g2("height_correlated", "", o, o) < 0.8 * masking);
+}
+
+TEST_CASE("the factors are those of RTR4, Eqs. 9.29 and 9.30") {
+  CHECK(direction_factor(DirectionFactor::ginneken, std::numbers::pi) == doctest::Approx(0.9327).epsilon(1e-3));
+  CHECK(direction_factor(DirectionFactor::ashikhmin, 20 * degree) == doctest::Approx(0.589).epsilon(1e-3));
+  CHECK(direction_factor(DirectionFactor::ginneken, 20 * degree) == doctest::Approx(0.606).epsilon(1e-3));
+  CHECK(direction_factor(DirectionFactor::ashikhmin, 0) == 0);
+  CHECK(direction_factor(DirectionFactor::ginneken, 0) == 0);
+}
+
+TEST_CASE("V-cavities default to the minimum of masking and shadowing") {
+  const Material m = material("beckmann", 0.6, "v_cavity");
+  const Direction o = from_angles(1.3, 0), i = from_angles(0.5, 2.5), h = half_vector(o, i);
+  const double expected = std::min({1.0, 2 * h.z * o.z / dot(o, h), 2 * h.z * i.z / dot(i, h)});
+  CHECK(value(m, Quantity::g2, o, i) == doctest::Approx(expected).epsilon(1e-14));
+}
+
+TEST_CASE("implicit and Kelemen cancel the denominator of the BRDF as printed") {
+  const Direction o = from_angles(1.0, 0), i = from_angles(0.7, 2.5), h = half_vector(o, i);
+  const double d = value_at_normal(material("ggx", 0.4), Quantity::d, o, h);
+  CHECK(value(material("ggx", 0.4, "implicit"), Quantity::brdf, o, i) == doctest::Approx(d / 4).epsilon(1e-14));
+  CHECK(value(material("ggx", 0.4, "kelemen"), Quantity::brdf, o, i) ==
+        doctest::Approx(d / (4 * dot(o, h) * dot(i, h))).epsilon(1e-14));
+}
