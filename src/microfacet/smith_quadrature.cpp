@@ -27,6 +27,7 @@ double s_minus_atan(double s) {
 } // namespace
 
 double mu_lambda_by_quadrature(const std::function<double(double)>& log_p22_of_r2, double mu, double scale) {
+  if (mu > 1e75) return 0;
   thread_local boost::math::quadrature::exp_sinh<double> rule;
   const double log_p22_of_mu2 = log_p22_of_r2(mu * mu);
   // Around its mass the integrand is analytic in log s on |Im log s| < pi/2 whatever the scales involved, which is what

@@ -11,7 +11,8 @@ namespace brdfplot {
 /// Heitz 2014, Eqs. 40-43 in polar slopes r = mu sqrt(1 + s^2); every term is positive, so nothing cancels.
 /// The density is given as ln P22 of r^2, so that a Lambda of 1e-300 has as many digits as one of 1.
 /// `scale` is where the integrand has its mass in s (any value works; a good one costs fewer points).
-/// Domain mu > 0, P22 r^3 integrable. Relative error about 1e-13.
+/// Domain mu > 0, P22 r^2 integrable over r. Relative error about 1e-13; 0 from mu = 1e75 on, where Lambda < 1e-149 and
+/// mu^3 would overflow soon.
 /// \throws AccuracyError when the estimate is not below 1e-10.
 double mu_lambda_by_quadrature(const std::function<double(double r2)>& log_p22_of_r2, double mu, double scale);
 
