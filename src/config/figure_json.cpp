@@ -20,8 +20,18 @@ using plot::Setting;
 struct Scope {
   std::optional<MaterialDescription> material;
   std::vector<Setting> at;
+  std::vector<std::string> places;          ///< where each of `at` stands
   std::map<std::string, std::string> words; ///< what {variable} becomes
+
+  void set(Setting setting, std::string place) {
+    at.push_back(std::move(setting));
+    places.push_back(std::move(place));
+  }
 };
+
+bool is_numeric(const Json& value) {
+  return value.is_number() || (value.is_string() && parse_angle(value.get<std::string>()));
+}
 
 Setting to_setting(const std::string& variable, const Json& value) {
   if (value.is_string() && !parse_angle(value.get<std::string>())) return {variable, value.get<std::string>()};
@@ -54,11 +64,6 @@ public:
     const Json& root = file_.root();
     plot::FigureDescription out;
     out.id = root["id"].get<std::string>();
-    const bool plain = !out.id.empty() && std::ranges::all_of(out.id, [](unsigned char c) {
-      return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-    });
-    if (!plain || out.id.front() == '.')
-      file_.fail("/id", "found " + show(root["id"]) + ", accepted: letters, digits, - and _, since it names files");
     out.title = root["title"].get<std::string>();
     out.caption = root["caption"].get<std::string>();
     out.kind = kind_ = std::map<std::string, plot::Kind>{{"lines", plot::Kind::lines},
@@ -72,6 +77,9 @@ public:
                     .at(root.value("share", "none"));
     out.tolerance = tolerance_ = root.value("tolerance", out.tolerance);
     out.cells = root.value("cells", out.cells);
+    const Json materials = root.value("materials", Json::object());
+    for (const auto& [name, value] : materials.items())
+      materials_.emplace(name, read_material(file_, value, step("/materials", name)));
     Scope scope;
     enter(scope, root, "");
     for (std::size_t k = 0; k < root["panels"].size(); ++k) {
@@ -92,49 +100,64 @@ private:
         scope.material = read_material(file_, value, pointer + "/material");
       } else {
         const auto name = value.get<std::string>();
-        const Json materials = file_.root().value("materials", Json::object());
         std::vector<std::string> names;
-        for (const auto& [key, item] : materials.items()) names.push_back(key);
-        if (!materials.contains(name)) file_.fail(pointer + "/material", unknown_name("material", name, names));
-        scope.material = read_material(file_, materials[name], step("/materials", name));
+        for (const auto& [key, material] : materials_) names.push_back(key);
+        if (!materials_.contains(name)) file_.fail(pointer + "/material", unknown_name("material", name, names));
+        scope.material = materials_.at(name);
       }
     }
     if (!object.contains("at")) return;
-    for (const auto& [variable, value] : object["at"].items()) scope.at.push_back(to_setting(variable, value));
+    for (const auto& [variable, value] : object["at"].items())
+      scope.set(to_setting(variable, value), step(pointer + "/at", variable));
   }
+
+  /// One variable of a `for_each`, and where it stands.
+  struct Loop {
+    Json json;
+    std::string place;
+  };
 
   /// Calls `make` for every combination of the values of `for_each` (once when there is none), with the place of the
   /// value among its fellows in [0, 1] where they form a family of numbers.
   template <class Make>
   void for_each(const Json& object, const std::string& pointer, const Scope& scope, const Make& make) {
-    std::vector<Json> loops;
+    std::vector<Loop> loops;
     if (object.contains("for_each")) {
-      if (object["for_each"].is_array())
-        loops.assign(object["for_each"].begin(), object["for_each"].end());
+      const Json& json = object["for_each"];
+      if (json.is_array())
+        for (std::size_t k = 0; k < json.size(); ++k)
+          loops.push_back({json[k], pointer + "/for_each/" + std::to_string(k)});
       else
-        loops.push_back(object["for_each"]);
+        loops.push_back({json, pointer + "/for_each"});
     }
-    nest(loops, 0, pointer, scope, {}, make);
+    nest(loops, 0, scope, {}, make);
   }
 
   template <class Make>
-  void nest(const std::vector<Json>& loops, std::size_t depth, const std::string& pointer, const Scope& scope,
-            std::optional<double> ramp, const Make& make) {
+  void nest(const std::vector<Loop>& loops, std::size_t depth, const Scope& scope, std::optional<double> ramp,
+            const Make& make) {
     if (depth == loops.size()) return make(scope, ramp);
-    const Json& loop = loops[depth];
+    const Json& loop = loops[depth].json;
+    const std::string& place = loops[depth].place;
     const auto variable = loop["variable"].get<std::string>();
     const Json& values = loop["values"];
     if (loop.contains("labels") && loop["labels"].size() != values.size())
-      file_.fail(pointer + "/for_each", "has " + std::to_string(values.size()) + " values and " +
-                                            std::to_string(loop["labels"].size()) + " labels; accepted: as many");
-    const bool family = loops.size() == 1 && values.size() >= 5 && values[0].is_number();
+      file_.fail(place + "/labels", "found " + std::to_string(loop["labels"].size()) + " labels for " +
+                                        std::to_string(values.size()) + " values, accepted: as many");
+    const bool family = loops.size() == 1 && values.size() >= 5 && std::ranges::all_of(values, is_numeric);
     for (std::size_t k = 0; k < values.size(); ++k) {
       Scope inner = scope;
-      inner.at.push_back(to_setting(variable, values[k]));
+      inner.set(to_setting(variable, values[k]), place + "/values/" + std::to_string(k));
       inner.words[variable] = loop.contains("labels") ? loop["labels"][k].get<std::string>() : word_for(values[k]);
-      nest(loops, depth + 1, pointer, inner,
+      nest(loops, depth + 1, inner,
            family ? std::optional(static_cast<double>(k) / static_cast<double>(values.size() - 1)) : ramp, make);
     }
+  }
+
+  /// Where the axis `key` of a panel stands: in the panel, or in the figure, or it is missing in the panel.
+  std::string axis_place(const Json& panel, const std::string& pointer, const std::string& key) const {
+    if (panel.contains(key)) return pointer + "/" + key;
+    return file_.root().contains(key) ? "/" + key : pointer;
   }
 
   plot::Axis axis(const Json& panel, const std::string& pointer, const std::string& key, bool swept) {
@@ -149,15 +172,18 @@ private:
     axis.unit = unit == "degrees" ? plot::Unit::degrees : unit == "radians" ? plot::Unit::radians : plot::Unit::none;
     if (merged.contains("from")) axis.from = to_number(merged["from"]);
     if (merged.contains("to")) axis.to = to_number(merged["to"]);
-    const std::string place = pointer + "/" + key;
-    if (swept && axis.column.empty()) file_.fail(place, "\"variable\" is missing: what is swept along this axis");
+    const std::string place = axis_place(panel, pointer, key);
+    if (swept && axis.column.empty())
+      file_.fail(place, "\"variable\" of \"" + key + "\" is missing: what is swept along this axis");
     if (swept && (std::isnan(axis.from) || std::isnan(axis.to)))
-      file_.fail(place, "a swept axis needs \"from\" and \"to\"");
+      file_.fail(place, "\"" + key + "\" is swept and needs \"from\" and \"to\"");
     if (axis.from >= axis.to)
       file_.fail(place, "found from = " + format_number(axis.from) + " and to = " + format_number(axis.to) +
                             ", accepted: from < to");
     if (axis.scale == plot::Scale::logarithmic && (axis.from <= 0 || axis.to <= 0))
-      file_.fail(place, "a log axis needs from > 0");
+      file_.fail(place, "found " + std::string(axis.from <= 0 ? "from = " : "to = ") +
+                            format_number(axis.from <= 0 ? axis.from : axis.to) +
+                            " on a log axis, accepted: a number > 0");
     if (axis.column.empty()) axis.column = "value";
     return axis;
   }
@@ -172,10 +198,9 @@ private:
     for (const Json* level : {&file_.root(), &object})
       if (level->contains("x")) out.samples = (*level)["x"].value("samples", out.samples);
     if (heatmap) out.value = axis(object, pointer, "value", false);
-    swept_ = {out.x.column};
-    if (heatmap) swept_.push_back(out.y.column);
-    from_ = {out.x.from};
-    if (heatmap) from_.push_back(out.y.from);
+    swept_.clear();
+    sweep(out.x, axis_place(object, pointer, "x"));
+    if (heatmap) sweep(out.y, axis_place(object, pointer, "y"));
     for (std::size_t k = 0; k < object["series"].size(); ++k) {
       const std::string at = pointer + "/series/" + std::to_string(k);
       const Json& one = object["series"][k];
@@ -224,22 +249,75 @@ private:
     } else {
       if (!scope.material) file_.fail(pointer, "\"material\" is missing here and above");
       out.term = {object["quantity"].get<std::string>(), *scope.material, scope.at};
-      try {
-        plot::TermFunction(out.term, swept_, tolerance_).check(from_);
-      } catch (const MaterialError& error) {
-        file_.fail(pointer, error.pointer() + ": " + error.reason());
-      } catch (const InputError& error) {
-        file_.fail(pointer, error.what());
-      }
+      check(out.term, pointer, scope);
     }
     return out;
+  }
+
+  /// A swept variable, its ends, and where its axis stands.
+  struct Sweep {
+    std::string variable, place;
+    double from, to;
+  };
+
+  void sweep(const plot::Axis& axis, const std::string& place) {
+    swept_.push_back({axis.column, place, axis.from, axis.to});
+  }
+
+  /// Runs `attempt`, with its errors told at a place of the file.
+  template <class Attempt>
+  void at_place(const std::string& place, const Attempt& attempt) const {
+    try {
+      attempt();
+    } catch (const MaterialError& error) {
+      file_.fail(place, error.pointer() + ": " + error.reason());
+    } catch (const InputError& error) {
+      file_.fail(place, error.what());
+    }
+  }
+
+  /// Tries everything but the values of a term, so that what is wrong is told where it stands.
+  void check(const plot::Term& term, const std::string& pointer, const Scope& scope) const {
+    plot::Configuration configuration(term.material);
+    for (std::size_t k = 0; k < scope.at.size(); ++k)
+      at_place(scope.places[k], [&] { configuration.set(scope.at[k]); });
+    std::vector<std::string> variables;
+    std::vector<double> from, to;
+    for (const Sweep& sweep : swept_) {
+      for (const double end : {sweep.from, sweep.to})
+        at_place(sweep.place, [&] { configuration.set({sweep.variable, end}); });
+      variables.push_back(sweep.variable);
+      from.push_back(sweep.from);
+      to.push_back(sweep.to);
+    }
+    std::optional<plot::TermFunction> function;
+    at_place(pointer + "/quantity", [&] { function.emplace(term, variables, tolerance_); });
+    at_place(pointer, [&] {
+      try {
+        function->check(from);
+        function->check(to);
+      } catch (const MaterialError& error) {
+        const auto place = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope);
+        if (place) file_.fail(*place, error.reason());
+        throw;
+      }
+    });
+  }
+
+  /// Where the value of a parameter was set last, if not in the material itself.
+  std::optional<std::string> place_of(const std::string& parameter, const Scope& scope) const {
+    for (std::size_t k = scope.at.size(); k > 0; --k)
+      if (scope.at[k - 1].variable == parameter) return scope.places[k - 1];
+    for (const Sweep& sweep : swept_)
+      if (sweep.variable == parameter) return sweep.place;
+    return std::nullopt;
   }
 
   const JsonFile& file_;
   plot::Kind kind_ = plot::Kind::lines;
   double tolerance_ = 0;
-  std::vector<std::string> swept_;
-  std::vector<double> from_;
+  std::map<std::string, MaterialDescription> materials_;
+  std::vector<Sweep> swept_;
 };
 
 } // namespace

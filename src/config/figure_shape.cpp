@@ -79,7 +79,7 @@ ShapePtr panel() {
 
 ShapePtr figure_shape() {
   return object(
-      {{"id", text(), true, "name of its files"},
+      {{"id", file_stem(), true, "name of its files"},
        {"kind", choice({"lines", "polar", "heatmap"}), true, "how it is drawn"},
        {"title", text(), true, "above the figure"},
        {"caption", text(), true, "what it shows, with equation and parameters"},

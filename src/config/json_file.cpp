@@ -5,48 +5,128 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <system_error>
 
 namespace brdfplot::config {
 
 namespace {
 
-/// LINE:COLUMN of a byte, from 1.
+/// Deeper files and longer chains of references are refused before they exhaust the stack.
+constexpr std::size_t most_levels = 256;
+
+/// References can double what they lead to, level by level; no figure needs as many.
+constexpr std::size_t most_references = 10000;
+
+/// LINE:COLUMN of a byte, from 1; columns count characters, and a byte-order mark is none.
 std::string line_and_column(const std::string& text, std::size_t byte) {
-  const std::string before = text.substr(0, std::min(byte, text.size()));
+  std::string_view before = std::string_view(text).substr(0, std::min(byte, text.size()));
+  if (before.starts_with("\xEF\xBB\xBF")) before.remove_prefix(3);
   const auto line = std::ranges::count(before, '\n') + 1;
-  const auto start = before.rfind('\n');
-  const std::size_t column = before.size() - (start == std::string::npos ? 0 : start + 1) + 1;
+  before.remove_prefix(before.rfind('\n') + 1);
+  const auto column =
+      std::ranges::count_if(before, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }) + 1;
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// What the parser says, without its prefix and with the place taken off.
+/// What the parser says, without its prefix and of bounded length.
 std::string syntax_message(std::string what) {
   const auto colon = what.find(": ", what.find("column"));
   if (colon != std::string::npos) what = what.substr(colon + 2);
-  std::ranges::replace(what, '\n', ' ');
-  return what;
+  return shortened(what, 200);
 }
 
-Json parse(const std::string& path, const std::string& text) {
-  std::vector<std::vector<std::string>> keys;
-  std::string duplicate;
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const auto key = parsed.get<std::string>();
-      if (std::ranges::find(keys.back(), key) != keys.back().end()) duplicate = key;
-      keys.back().push_back(key);
-    }
+/// Follows the parser through a text for what the parsed value no longer shows: where an error stands, and keys that
+/// are given twice.
+class Watch : public nlohmann::json_sax<Json> {
+public:
+  Watch(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+
+  bool null() override { return item(); }
+  bool boolean(bool) override { return item(); }
+  bool number_integer(number_integer_t) override { return item(); }
+  bool number_unsigned(number_unsigned_t) override { return item(); }
+  bool number_float(number_float_t, const string_t&) override { return item(); }
+  bool string(string_t&) override { return item(); }
+  bool binary(binary_t&) override { return item(); }
+  bool start_object(std::size_t) override { return enter(true); }
+  bool start_array(std::size_t) override { return enter(false); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool key(string_t& key) override {
+    Level& level = levels_.back();
+    level.key = key;
+    if (!level.keys.insert(key).second)
+      throw InputError(path_ + ": " + one_line(pointer()), "the key " + show(key) + " stands twice in one object");
     return true;
+  }
+  bool parse_error(std::size_t position, const std::string& token, const Json::exception& error) override {
+    const bool overflow = dynamic_cast<const Json::parse_error*>(&error) == nullptr;
+    throw InputError(path_ + ":" + line_and_column(text_, position > 0 ? position - 1 : 0),
+                     overflow ? "the number " + shortened(token, 60) + " is too large" : syntax_message(error.what()));
+  }
+
+private:
+  struct Level {
+    bool is_object;
+    std::string key;
+    std::size_t index = 0;
+    std::set<std::string> keys;
   };
+
+  bool item() {
+    if (!levels_.empty()) ++levels_.back().index;
+    return true;
+  }
+  bool enter(bool is_object) {
+    if (levels_.size() == most_levels)
+      throw InputError(path_, "values are nested more than " + std::to_string(most_levels) + " deep");
+    levels_.push_back({is_object, "", 0, {}});
+    return true;
+  }
+  bool leave() {
+    levels_.pop_back();
+    return item();
+  }
+  std::string pointer() const {
+    std::string out;
+    for (const Level& level : levels_) out = step(out, level.is_object ? level.key : std::to_string(level.index));
+    return out;
+  }
+
+  const std::string& path_;
+  const std::string& text_;
+  std::vector<Level> levels_;
+};
+
+Json parse(const std::string& path, const std::string& text) {
+  Watch watch(path, text);
+  Json::sax_parse(text, &watch);
+  return Json::parse(text);
+}
+
+/// One name for a file, however the way to it is written.
+std::string canonical(const std::string& path) {
+  std::error_code ignored;
+  const auto found = std::filesystem::weakly_canonical(path, ignored);
+  return found.empty() ? path : found.string();
+}
+
+/// The text of a file that the reference at `where` names.
+std::string read_referenced(const std::string& file, const std::string& where) {
   try {
-    Json value = Json::parse(text, watch);
-    if (!duplicate.empty()) throw InputError(path, "the key \"" + duplicate + "\" stands twice in one object");
-    return value;
-  } catch (const Json::parse_error& error) {
-    throw InputError(path + ":" + line_and_column(text, error.byte > 0 ? error.byte - 1 : 0),
-                     syntax_message(error.what()));
+    return read_text_file(file);
+  } catch (const FileError& error) {
+    throw FileError(where, error.what());
+  }
+}
+
+/// The value at a pointer of a document, or null.
+const Json* find(const Json& document, const Json::json_pointer& place) {
+  try {
+    return &document.at(place);
+  } catch (const Json::exception&) {
+    return nullptr;
   }
 }
 
@@ -60,37 +140,7 @@ JsonFile::JsonFile(const std::string& path) : path_(path), text_(read_text_file(
 
 Json JsonFile::expand(const Json& value, const std::string& pointer, const Origin& here,
                       std::vector<std::string>& trail) {
-  const auto at = [&] { return here.pointer + pointer.substr(here.prefix.size()); };
-  if (value.is_object() && value.contains("$ref")) {
-    const Json& target = value["$ref"];
-    if (value.size() != 1 || !target.is_string())
-      throw InputError(here.file + ": " + at(), "a reference is {\"$ref\": \"FILE#/pointer\"} and nothing else");
-    const auto words = target.get<std::string>();
-    const auto hash = words.find('#');
-    const std::string name = words.substr(0, hash);
-    const std::string inside = hash == std::string::npos ? "" : words.substr(hash + 1);
-    const std::string file =
-        name.empty() ? here.file : (std::filesystem::path(here.file).parent_path() / name).string();
-    const std::string whole = file + "#" + inside;
-    if (std::ranges::find(trail, whole) != trail.end())
-      throw InputError(here.file + ": " + at(), "the reference \"" + words + "\" leads back to itself");
-    const Json document = parse(file, read_text_file(file));
-    Json::json_pointer place;
-    try {
-      place = Json::json_pointer(inside);
-    } catch (const Json::exception&) {
-      throw InputError(here.file + ": " + at(),
-                       "\"" + inside + "\" is not a JSON pointer; accepted: \"\" or \"/key/...\"");
-    }
-    if (!document.contains(place))
-      throw InputError(here.file + ": " + at(), "there is nothing at \"" + inside + "\" in " + file);
-    const Origin there{pointer, file, inside};
-    origins_.push_back(there);
-    trail.push_back(whole);
-    Json result = expand(document[place], pointer, there, trail);
-    trail.pop_back();
-    return result;
-  }
+  if (value.is_object() && value.contains("$ref")) return follow(value, pointer, here, trail);
   if (value.is_object()) {
     Json out = Json::object();
     for (const auto& [key, item] : value.items()) out[key] = expand(item, step(pointer, key), here, trail);
@@ -105,20 +155,64 @@ Json JsonFile::expand(const Json& value, const std::string& pointer, const Origi
   return value;
 }
 
-std::string JsonFile::where(const std::string& pointer) const {
-  const Origin* best = nullptr;
-  for (const auto& origin : origins_) {
-    const bool inside = pointer.starts_with(origin.prefix) &&
-                        (pointer.size() == origin.prefix.size() || pointer[origin.prefix.size()] == '/');
-    if (inside && (best == nullptr || origin.prefix.size() >= best->prefix.size())) best = &origin;
+Json JsonFile::follow(const Json& value, const std::string& pointer, const Origin& here,
+                      std::vector<std::string>& trail) {
+  const std::string where = place(here, pointer);
+  const Json& target = value["$ref"];
+  if (value.size() != 1 || !target.is_string())
+    throw InputError(where, "a reference is {\"$ref\": \"FILE#/pointer\"} and nothing else");
+  const auto words = target.get<std::string>();
+  const auto hash = words.find('#');
+  const std::string name = words.substr(0, hash);
+  const std::string inside = hash == std::string::npos ? "" : words.substr(hash + 1);
+  const std::string file = name.empty() ? here.file : (std::filesystem::path(here.file).parent_path() / name).string();
+  Json::json_pointer steps;
+  try {
+    steps = Json::json_pointer(inside);
+  } catch (const Json::exception&) {
+    throw InputError(where, show(inside) + " is not a JSON pointer; accepted: \"\" or \"/key/...\"");
   }
-  std::string at = best == nullptr ? pointer : best->pointer + pointer.substr(best->prefix.size());
-  if (at.empty()) at = "/";
-  return (best == nullptr ? path_ : best->file) + ": " + at;
+  const std::string whole = canonical(file) + "#" + inside;
+  if (std::ranges::find(trail, whole) != trail.end())
+    throw InputError(where, "the reference " + show(target) + " leads back to itself");
+  if (trail.size() == most_levels)
+    throw InputError(where, "more than " + std::to_string(most_levels) + " references lead to each other");
+  if (origins_.size() == most_references)
+    throw InputError(where, "there are more than " + std::to_string(most_references) + " references");
+  Json document = parse(file, read_referenced(file, where));
+  const Json* found = find(document, steps);
+  if (found == nullptr) throw InputError(where, "there is nothing at " + show(inside) + " in " + one_line(file));
+  const Origin there{pointer, file, inside};
+  origins_.push_back(there);
+  trail.push_back(whole);
+  // What names the schema of a file says nothing of the value that the file holds.
+  if (inside.empty() && document.is_object()) document.erase("$schema");
+  Json result = expand(*found, pointer, there, trail);
+  trail.pop_back();
+  return result;
 }
 
+std::string JsonFile::place(const Origin& origin, const std::string& pointer) {
+  const std::string at = origin.pointer + pointer.substr(origin.prefix.size());
+  return origin.file + ": " + (at.empty() ? "/" : one_line(at));
+}
+
+JsonFile::Origin JsonFile::origin(const std::string& pointer) const {
+  const Origin* best = nullptr;
+  for (const auto& candidate : origins_) {
+    const bool inside = pointer.starts_with(candidate.prefix) &&
+                        (pointer.size() == candidate.prefix.size() || pointer[candidate.prefix.size()] == '/');
+    if (inside && (best == nullptr || candidate.prefix.size() >= best->prefix.size())) best = &candidate;
+  }
+  return best == nullptr ? Origin{"", path_, ""} : *best;
+}
+
+std::string JsonFile::where(const std::string& pointer) const { return place(origin(pointer), pointer); }
+
+std::string JsonFile::file(const std::string& pointer) const { return origin(pointer).file; }
+
 void JsonFile::fail(const std::string& pointer, const std::string& what) const {
-  throw InputError(where(pointer), what);
+  throw InputError(where(pointer), one_line(what));
 }
 
 void JsonFile::check(const Shape& shape) const {

@@ -25,6 +25,9 @@ public:
   /// `FILE: /pointer`, in the file in which the value at `pointer` of root() was written.
   std::string where(const std::string& pointer) const;
 
+  /// The file in which the value at `pointer` of root() was written: what paths in it are relative to.
+  std::string file(const std::string& pointer) const;
+
   /// Checks against a shape, with errors at where() the value stands.
   void check(const Shape& shape) const;
 
@@ -35,6 +38,9 @@ private:
     std::string prefix, file, pointer;
   };
   Json expand(const Json& value, const std::string& pointer, const Origin& here, std::vector<std::string>& trail);
+  Json follow(const Json& value, const std::string& pointer, const Origin& here, std::vector<std::string>& trail);
+  static std::string place(const Origin& origin, const std::string& pointer);
+  Origin origin(const std::string& pointer) const;
 
   std::string path_, text_;
   Json root_;

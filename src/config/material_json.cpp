@@ -52,8 +52,8 @@ ShapePtr material_shape(bool top) {
 
 MaterialDescription read_material(const JsonFile& file, const Json& value, const std::string& pointer) {
   MaterialDescription material;
-  material.name =
-      value.contains("name") ? value["name"].get<std::string>() : std::filesystem::path(file.path()).stem().string();
+  material.name = value.contains("name") ? value["name"].get<std::string>()
+                                         : std::filesystem::path(file.file(pointer)).stem().string();
   material.distribution = to_choice<Distribution>(value["distribution"]);
   if (value.contains("masking")) material.masking = to_choice<Masking>(value["masking"]);
   if (value.contains("shadowing")) material.shadowing = to_choice<Shadowing>(value["shadowing"]);

@@ -12,7 +12,7 @@ namespace {
 
 ShapePtr table_shape() {
   return named("table", [] {
-    return object({{"id", text(), true, "name of its files"},
+    return object({{"id", file_stem(), true, "name of its files"},
                    {"title", text(), true, "above the table"},
                    {"caption", text(), true, "what it shows"},
                    {"maskings", array(choice(names_of(specs_of<Masking>())), 1), true, "masking functions, in order"},
@@ -21,6 +21,22 @@ ShapePtr table_shape() {
                    {"theta_o", array(angle(), 1), true, "angles of the viewer tried"},
                    {"tolerance", number({.min = 1e-12, .max = 1e-1}), false, "a residual up to this counts as zero"}});
   });
+}
+
+/// Tells what building would: a distribution that a roughness alone does not define, one out of its bounds.
+void check_models(const PropertyTableDescription& table, const JsonFile& file, const std::string& pointer) {
+  for (std::size_t d = 0; d < table.distributions.size(); ++d)
+    for (const double alpha : table.alpha) {
+      MaterialDescription material;
+      material.distribution.type = table.distributions[d];
+      material.distribution.values.set("alpha", alpha);
+      try {
+        build(material);
+      } catch (const MaterialError& error) {
+        file.fail(pointer + "/distributions/" + std::to_string(d),
+                  "\"" + table.distributions[d] + "\" with alpha alone: " + error.reason());
+      }
+    }
 }
 
 PropertyTableDescription read_table(const Json& value) {
@@ -68,13 +84,15 @@ ReportFile load_report(const std::string& path) {
     ReportEntry out{entry["section"].get<std::string>(), PropertyTableDescription{}, ""};
     std::string id;
     if (entry.contains("figure")) {
-      const auto name = (std::filesystem::path(path).parent_path() / entry["figure"].get<std::string>()).string();
+      const std::filesystem::path here = file.file(pointer + "/figure");
+      const auto name = (here.parent_path() / entry["figure"].get<std::string>()).string();
       FigureFile figure = load_figure(name);
       id = figure.figure.id;
       out.what = std::move(figure.figure);
       out.json = std::move(figure.json);
     } else {
       PropertyTableDescription table = read_table(entry["table"]);
+      check_models(table, file, pointer + "/table");
       id = table.id;
       out.what = std::move(table);
       out.json = entry["table"].dump(2) + "\n";

@@ -1,7 +1,5 @@
 #include "config/schema.hpp"
 
-#include "math/number.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -10,97 +8,10 @@ namespace brdfplot::config {
 
 namespace {
 
-void expect(bool good, const Json& value, const std::string& pointer, const std::string& accepted) {
-  if (!good) throw BadValue{pointer, "found " + show(value) + ", accepted: " + accepted};
+/// "A value anywhere may be {"$ref": ...}": editors check a file as it is written, before references are followed.
+Json or_reference(Json schema) {
+  return {{"anyOf", Json::array({std::move(schema), {{"$ref", "#/$defs/reference"}}})}};
 }
-
-Json bounds_schema(const Bounds& bounds) {
-  Json out = {{"type", "number"}};
-  if (bounds.min > -infinity) out[bounds.open_min ? "exclusiveMinimum" : "minimum"] = bounds.min;
-  if (bounds.max < infinity) out[bounds.open_max ? "exclusiveMaximum" : "maximum"] = bounds.max;
-  return out;
-}
-
-class Number : public Shape {
-public:
-  explicit Number(Bounds bounds, bool whole = false) : bounds_(bounds), whole_(whole) {}
-  void check(const Json& value, const std::string& pointer) const override {
-    expect(value.is_number() && (!whole_ || value.is_number_integer()) && bounds_.contains(value.get<double>()), value,
-           pointer, describe());
-  }
-  Json schema(Json&) const override {
-    Json out = bounds_schema(bounds_);
-    if (whole_) out["type"] = "integer";
-    return out;
-  }
-  bool matches(const Json& value) const override { return value.is_number(); }
-  std::string describe() const override {
-    const std::string words = bounds_.describe();
-    return whole_ ? "a whole number" + words.substr(words.find("number") + 6) : words;
-  }
-
-private:
-  Bounds bounds_;
-  bool whole_;
-};
-
-class Angle : public Shape {
-public:
-  void check(const Json& value, const std::string& pointer) const override {
-    expect(value.is_number() || (value.is_string() && parse_angle(value.get<std::string>())), value, pointer,
-           describe());
-  }
-  Json schema(Json&) const override {
-    return {{"anyOf", Json::array({{{"type", "number"}},
-                                   {{"type", "string"},
-                                    {"pattern", "^\\s*[-+]?[0-9.]+([eE][-+]?[0-9]+)?\\s*(deg|rad)\\s*$"}}})}};
-  }
-  bool matches(const Json& value) const override {
-    return value.is_number() || (value.is_string() && parse_angle(value.get<std::string>()));
-  }
-  std::string describe() const override { return "a number in radians, or a string such as \"80deg\" or \"1.5rad\""; }
-};
-
-class Text : public Shape {
-public:
-  void check(const Json& value, const std::string& pointer) const override {
-    expect(value.is_string(), value, pointer, describe());
-  }
-  Json schema(Json&) const override { return {{"type", "string"}}; }
-  bool matches(const Json& value) const override { return value.is_string(); }
-  std::string describe() const override { return "a string"; }
-};
-
-class Choice : public Shape {
-public:
-  explicit Choice(std::vector<std::string> accepted) : accepted_(std::move(accepted)) {}
-  void check(const Json& value, const std::string& pointer) const override {
-    expect(value.is_string(), value, pointer, describe());
-    const auto word = value.get<std::string>();
-    if (std::ranges::find(accepted_, word) == accepted_.end())
-      throw BadValue{pointer, unknown_name("value", word, accepted_)};
-  }
-  Json schema(Json&) const override { return {{"enum", accepted_}}; }
-  bool matches(const Json& value) const override { return value.is_string(); }
-  std::string describe() const override {
-    std::string words = "one of ";
-    for (const auto& word : accepted_) words += (word == accepted_.front() ? "\"" : ", \"") + word + "\"";
-    return words;
-  }
-
-private:
-  std::vector<std::string> accepted_;
-};
-
-class Boolean : public Shape {
-public:
-  void check(const Json& value, const std::string& pointer) const override {
-    expect(value.is_boolean(), value, pointer, describe());
-  }
-  Json schema(Json&) const override { return {{"type", "boolean"}}; }
-  bool matches(const Json& value) const override { return value.is_boolean(); }
-  std::string describe() const override { return "true or false"; }
-};
 
 class Array : public Shape {
 public:
@@ -112,7 +23,7 @@ public:
     for (std::size_t k = 0; k < value.size(); ++k) item_->check(value[k], step(pointer, std::to_string(k)));
   }
   Json schema(Json& definitions) const override {
-    Json out = {{"type", "array"}, {"items", item_->schema(definitions)}};
+    Json out = {{"type", "array"}, {"items", or_reference(item_->schema(definitions))}};
     if (min_ > 0) out["minItems"] = min_;
     if (max_ < 1000000) out["maxItems"] = max_;
     return out;
@@ -146,7 +57,8 @@ public:
     }
     for (const auto& field : fields_)
       if (field.required && !value.contains(field.key))
-        throw BadValue{pointer, "\"" + field.key + "\" is missing: " + field.doc};
+        throw BadValue{pointer,
+                       "\"" + field.key + "\" is missing: " + field.doc + "; accepted: " + field.shape->describe()};
     check_alternatives(value, pointer);
   }
   Json schema(Json& definitions) const override {
@@ -154,17 +66,13 @@ public:
     Json required = Json::array();
     if (top_) properties["$schema"] = {{"type", "string"}};
     for (const auto& field : fields_) {
-      Json item = field.shape->schema(definitions);
-      if (!field.doc.empty()) item["description"] = field.doc;
-      // "A value anywhere may be {"$ref": ...}": editors check the file as it is written, before references are
-      // followed.
-      properties[field.key] = {{"anyOf", Json::array({item, {{"$ref", "#/$defs/reference"}}})}};
+      properties[field.key] = or_reference(field.shape->schema(definitions));
       if (!field.doc.empty()) properties[field.key]["description"] = field.doc;
       if (field.required) required.push_back(field.key);
     }
     Json out = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
     if (!required.empty()) out["required"] = required;
-    for (const auto& group : alternatives_) out["oneOf"].push_back({{"required", group}});
+    for (const auto& group : alternatives_) out["oneOf"].push_back(alternative_schema(group));
     return out;
   }
   bool matches(const Json& value) const override { return value.is_object(); }
@@ -180,20 +88,36 @@ private:
     for (const auto& field : fields_) out.push_back(field.key);
     return out;
   }
-  /// Exactly one of the groups; complete() says the same of models, but this is for objects that are no model.
+  /// The group whole, and nothing of the others.
+  Json alternative_schema(const std::vector<std::string>& group) const {
+    Json others = Json::array();
+    for (const auto& other : alternatives_)
+      for (const auto& key : other)
+        if (std::ranges::find(group, key) == group.end()) others.push_back({{"required", Json::array({key})}});
+    return {{"required", group}, {"not", {{"anyOf", others}}}};
+  }
+  /// Exactly one of the groups, whole; complete() says the same of models, but this is also for what is no model.
   void check_alternatives(const Json& value, const std::string& pointer) const {
     if (alternatives_.empty()) return;
-    std::string texts;
-    int present = 0;
+    std::string accepted, present, all;
+    std::size_t touched = 0, whole = 0;
     for (const auto& group : alternatives_) {
       std::string words;
-      for (const auto& key : group) words += (words.empty() ? "" : " with ") + key;
-      texts += (texts.empty() ? "either " : ", or ") + words;
-      if (std::ranges::any_of(group, [&](const auto& key) { return value.contains(key); })) ++present;
-      const bool partly = std::ranges::any_of(group, [&](const auto& key) { return value.contains(key); });
-      if (partly && !std::ranges::all_of(group, [&](const auto& key) { return value.contains(key); })) present = 2;
+      std::size_t count = 0;
+      for (const auto& key : group) {
+        words += (words.empty() ? "" : " with ") + key;
+        all += (all.empty() ? "" : ", ") + key;
+        if (!value.contains(key)) continue;
+        present += (present.empty() ? "" : " with ") + key;
+        ++count;
+      }
+      accepted += (accepted.empty() ? "either " : ", or ") + words;
+      if (count > 0) ++touched;
+      if (count == group.size()) ++whole;
     }
-    if (present != 1) throw BadValue{pointer, "accepted: " + texts};
+    if (touched == 1 && whole == 1) return;
+    const std::string found = present.empty() ? "none of " + all : touched == 1 ? present + " alone" : present;
+    throw BadValue{pointer, "found " + found + "; accepted: " + accepted};
   }
   std::vector<Field> fields_;
   std::vector<std::vector<std::string>> alternatives_;
@@ -208,7 +132,9 @@ public:
     for (const auto& [key, item] : value.items()) item_->check(item, step(pointer, key));
   }
   Json schema(Json& definitions) const override {
-    return {{"type", "object"}, {"additionalProperties", item_->schema(definitions)}, {"description", key_doc_}};
+    return {{"type", "object"},
+            {"additionalProperties", or_reference(item_->schema(definitions))},
+            {"description", key_doc_}};
   }
   bool matches(const Json& value) const override { return value.is_object(); }
   std::string describe() const override { return "an object of " + key_doc_; }
@@ -250,7 +176,7 @@ private:
     for (const auto& type : types_) out.push_back(type.first);
     return out;
   }
-  std::string names_text() const { return Choice(names()).describe(); }
+  std::string names_text() const { return choice(names())->describe(); }
   std::vector<std::pair<std::string, ShapePtr>> types_;
 };
 
@@ -312,14 +238,6 @@ ShapePtr parameter(const ParameterSpec& spec) {
 
 } // namespace
 
-ShapePtr number(Bounds bounds) { return std::make_shared<Number>(bounds); }
-ShapePtr whole_number(int min, int max) {
-  return std::make_shared<Number>(Bounds{.min = static_cast<double>(min), .max = static_cast<double>(max)}, true);
-}
-ShapePtr angle() { return std::make_shared<Angle>(); }
-ShapePtr text() { return std::make_shared<Text>(); }
-ShapePtr choice(std::vector<std::string> accepted) { return std::make_shared<Choice>(std::move(accepted)); }
-ShapePtr boolean() { return std::make_shared<Boolean>(); }
 ShapePtr array(ShapePtr item, std::size_t min, std::size_t max) {
   return std::make_shared<Array>(std::move(item), min, max);
 }
@@ -363,20 +281,6 @@ Json json_schema(const Shape& shape, const std::string& title) {
   Json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
   for (const auto& [key, value] : body.items()) out[key] = value;
   out["$defs"] = definitions;
-  return out;
-}
-
-std::string show(const Json& value) {
-  if (value.is_object()) return "an object";
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
-  std::string text = value.dump();
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
-}
-
-std::string step(const std::string& pointer, const std::string& key) {
-  std::string out = pointer + "/";
-  for (const char c : key) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
   return out;
 }
 

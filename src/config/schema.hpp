@@ -51,6 +51,8 @@ ShapePtr whole_number(int min, int max);
 /// Radians as a number, or a string with a unit: "80deg", "1.5rad".
 ShapePtr angle();
 ShapePtr text();
+/// A name of files: letters, digits, `-`, `_` and, not in front, `.`.
+ShapePtr file_stem();
 ShapePtr choice(std::vector<std::string> accepted);
 ShapePtr boolean();
 ShapePtr array(ShapePtr item, std::size_t min = 0, std::size_t max = 1000000);
@@ -73,8 +75,17 @@ ShapePtr model(const std::vector<ModelSpec>& specs);
 /// The whole schema of a kind of file.
 Json json_schema(const Shape& shape, const std::string& title);
 
-/// `"abc"`, `3`, `an object`: a value as errors show it.
+/// \throws BadValue "found VALUE, accepted: ACCEPTED" unless `good`.
+void expect(bool good, const Json& value, const std::string& pointer, const std::string& accepted);
+
+/// `"abc"`, `3`, `an object`: a value as errors show it, on one line.
 std::string show(const Json& value);
+
+/// At most `most` bytes of a text, cut between characters.
+std::string shortened(const std::string& text, std::size_t most);
+
+/// The text with its control characters as JSON escapes them, so that an error stays on one line.
+std::string one_line(const std::string& text);
 
 /// A pointer's next step, escaped (RFC 6901).
 std::string step(const std::string& pointer, const std::string& key);

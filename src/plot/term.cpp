@@ -1,5 +1,6 @@
 #include "plot/term.hpp"
 
+#include "math/number.hpp"
 #include "microfacet/registry.hpp"
 
 #include <algorithm>
@@ -7,6 +8,34 @@
 namespace brdfplot::plot {
 
 namespace {
+
+/// Sets a model's type by name; `values` that the new type may not have are its caller's business.
+template <class List>
+void set_type(ModelChoice& choice, const std::string& what, const std::string& type) {
+  const auto names = names_of(specs_of<List>());
+  if (std::ranges::find(names, type) == names.end()) throw InputError("", unknown_name(what, type, names));
+  choice.type = type;
+}
+
+template <class List>
+void append_parameters(std::vector<std::string>& names, const ModelChoice& choice) {
+  for (const ModelSpec& spec : specs_of<List>()) {
+    if (spec.type != choice.type) continue;
+    for (const auto& parameter : spec.parameters)
+      if (parameter.kind == ParameterKind::number || parameter.kind == ParameterKind::number_or_rgb)
+        names.push_back(parameter.key);
+  }
+}
+
+/// Every variable that can be a number for this material.
+std::vector<std::string> numeric_variables(const MaterialDescription& material) {
+  std::vector<std::string> names = direction_variables();
+  append_parameters<Distribution>(names, material.distribution);
+  append_parameters<Masking>(names, material.masking);
+  if (material.shadowing) append_parameters<Shadowing>(names, *material.shadowing);
+  append_parameters<Fresnel>(names, material.fresnel);
+  return names;
+}
 
 Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
 
@@ -26,36 +55,49 @@ const std::vector<std::string>& direction_variables() {
   return names;
 }
 
+void Configuration::set_model(const std::string& variable, const std::string& type) {
+  if (variable == "distribution") {
+    set_type<Distribution>(material_.distribution, variable, type);
+  } else if (variable == "masking") {
+    material_.masking.values = {};
+    set_type<Masking>(material_.masking, variable, type);
+  } else if (variable == "shadowing") {
+    material_.shadowing = ModelChoice{};
+    set_type<Shadowing>(*material_.shadowing, variable, type);
+  } else if (variable == "fresnel") {
+    set_type<Fresnel>(material_.fresnel, variable, type);
+  } else {
+    const auto numbers = numeric_variables(material_);
+    if (std::ranges::find(numbers, variable) != numbers.end())
+      throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
+    throw InputError("", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel"}));
+  }
+}
+
 void Configuration::set(const Setting& setting) {
+  if (const auto* text = std::get_if<std::string>(&setting.value)) return set_model(setting.variable, *text);
+  const double value = std::get<double>(setting.value);
   const auto& names = direction_variables();
   const auto found = std::ranges::find(names, setting.variable);
-  if (const auto* text = std::get_if<std::string>(&setting.value)) {
-    if (setting.variable == "distribution")
-      material_.distribution.type = *text;
-    else if (setting.variable == "masking")
-      material_.masking = {.type = *text, .values = {}};
-    else if (setting.variable == "shadowing")
-      material_.shadowing = ModelChoice{.type = *text, .values = {}};
-    else if (setting.variable == "fresnel")
-      material_.fresnel.type = *text;
-    else
-      throw InputError("", "\"" + setting.variable + "\" cannot be \"" + *text +
-                               "\"; accepted as text: distribution, masking, shadowing, fresnel");
-    return;
+  if (found == names.end()) {
+    const auto accepted = numeric_variables(material_);
+    if (std::ranges::find(accepted, setting.variable) == accepted.end())
+      throw InputError("", unknown_name("variable", setting.variable, accepted));
+    return set_parameter(material_, setting.variable, value);
   }
-  const double value = std::get<double>(setting.value);
-  if (found == names.end()) return set_parameter(material_, setting.variable, value);
   const auto index = static_cast<std::size_t>(found - names.begin());
-  if (index < 6)
+  if (index < 6) {
     angle_[index] = value;
-  else if (index == 6)
+  } else if (index == 6) {
     a_ = value;
-  else if (index == 7)
+  } else if (index == 7) {
     slope_ = value;
-  else if (index < 10)
+  } else if (index < 10) {
+    if (!(value > 0)) throw InputError("", "found " + format_number(value) + ", accepted: a number > 0");
     stretch_[index - 8] = value;
-  else
+  } else {
     shear_[index - 10] = value;
+  }
 }
 
 std::optional<Direction> Configuration::direction(std::size_t which) const {
@@ -110,11 +152,14 @@ TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, dou
     if (info.name == term.quantity) integral_ = info.integral;
   if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
   for (const auto& setting : term.at) fixed_.set(setting);
+  for (const auto& variable : swept_)
+    is_fixed_.push_back(std::ranges::find(term.at, variable, &Setting::variable) != term.at.end());
 }
 
 Configuration::Ready TermFunction::configure(const std::vector<double>& values) const {
   Configuration configuration = fixed_;
-  for (std::size_t k = 0; k < swept_.size(); ++k) configuration.set({swept_[k], values[k]});
+  for (std::size_t k = 0; k < swept_.size(); ++k)
+    if (!is_fixed_[k]) configuration.set({swept_[k], values[k]});
   return configuration.ready();
 }
 

@@ -29,6 +29,7 @@ public:
   std::optional<double> theta_o() const { return angle_[0]; }
 
 private:
+  void set_model(const std::string& variable, const std::string& type);
   std::optional<Direction> direction(std::size_t which) const;
   void transform(MaterialDescription& material, std::optional<Direction>& o, std::optional<Direction>& i,
                  std::optional<Direction>& m) const;
@@ -61,6 +62,7 @@ private:
 
   Configuration fixed_;
   std::vector<std::string> swept_;
+  std::vector<bool> is_fixed_; ///< swept variables that the term's own settings fix
   std::optional<Quantity> quantity_;
   std::optional<Integral> integral_;
   double tolerance_;
