@@ -62,6 +62,7 @@ void add_global_flags(CLI::App& app, cli::Settings& settings) {
 int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   CLI::App app("Microfacet BRDF models: evaluation, figures and reports", "brdfplot");
   app.fallthrough();
+  app.require_subcommand(0, 1); // so that the second word of `schema report` is no command
   add_global_flags(app, settings);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.footer("brdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"

@@ -59,7 +59,7 @@ Command add_plot(CLI::App& app, const Settings& settings) {
   command->add_option("figures", flags->files, "The figures")->type_name("FIGURE.json");
   command->add_option("-o,--output", flags->output, "Folder of ID.svg and ID.csv; made where it is missing")
       ->type_name("DIR");
-  command->footer(footer("brdfplot plot configs/figures/fig15.json -o figures"));
+  command->footer(footer("brdfplot plot configs/figures/fig15_shear.json -o build/figures"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }
 

@@ -157,7 +157,7 @@ Command add_report(CLI::App& app, const Settings& settings) {
       ->type_name("MANIFEST.json");
   command->add_option("-o,--output", flags->output, "Folder of index.html, figures/, tables/ and report.json")
       ->type_name("DIR");
-  command->footer(footer("brdfplot report configs/reports/heitz2014.json -o report"));
+  command->footer(footer("brdfplot report configs/reports/heitz2014.json -o build/report"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }
 

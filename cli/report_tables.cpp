@@ -1,6 +1,7 @@
 #include "report_tables.hpp"
 
 #include "math/number.hpp"
+#include "plot/text.hpp"
 
 #include <array>
 #include <cmath>
@@ -91,7 +92,7 @@ std::string table_csv(const std::vector<PropertyRow>& rows) {
 }
 
 std::string table_markdown(const PropertyTableDescription& table, const std::vector<PropertyRow>& rows) {
-  std::string out = "# " + table.title + "\n\n" + table.caption + "\n\n";
+  std::string out = "# " + plot::strip_markup(table.title) + "\n\n" + plot::strip_markup(table.caption) + "\n\n";
   bool header = true;
   for (const auto& line : cells(rows, plain)) {
     for (const auto& cell : line) out += "| " + cell + " ";

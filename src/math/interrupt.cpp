@@ -20,7 +20,11 @@ void install_interrupt_handler() {
   struct sigaction action {};
   action.sa_handler = set_flag;
   // No SA_RESTART: a call that waits for input returns, and its caller looks at the flag.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  // nohup sets SIGHUP to be ignored, and means it.
+  struct sigaction inherited {};
+  if (sigaction(SIGHUP, nullptr, &inherited) == 0 && inherited.sa_handler != SIG_IGN)
+    sigaction(SIGHUP, &action, nullptr);
 }
 
 bool interrupted() { return flag.load(std::memory_order_relaxed); }

@@ -5,7 +5,7 @@
 
 namespace brdfplot {
 
-/// From now on SIGINT, SIGTERM and SIGHUP set the flag instead of ending the process.
+/// From now on SIGINT, SIGTERM and SIGHUP set the flag instead of ending the process (SIGHUP: unless it is ignored).
 void install_interrupt_handler();
 
 bool interrupted();

@@ -1,0 +1,113 @@
+#include "cli/program.hpp"
+
+#include <cmath>
+#include <numbers>
+
+using namespace test;
+
+namespace {
+
+const std::string ggx = R"({"distribution": {"type": "ggx", "alpha": 1}})";
+
+/// The values of `quantities` in the one row of `csv`, behind its `skipped` columns.
+std::vector<double> values(const std::string& material, const std::string& csv, const std::string& quantities,
+                           std::size_t skipped) {
+  const Folder folder;
+  folder.write("m.json", material);
+  folder.write("in.csv", csv);
+  const std::string out = check_output(folder, "brdfplot eval m.json -q " + quantities + " -i in.csv");
+  std::vector<double> numbers;
+  const auto rows = cells(out);
+  REQUIRE(rows.size() == 2);
+  for (std::size_t k = skipped; k < rows[1].size(); ++k) numbers.push_back(std::stod(rows[1][k]));
+  return numbers;
+}
+
+} // namespace
+
+TEST_CASE("GGX of roughness 1 at 60 degrees") {
+  const auto row = values(ggx, "theta_o,theta_m\n60deg,0\n", "lambda,g1,d,p22,d_visible", 2);
+  CHECK(row[0] == doctest::Approx(0.5).epsilon(1e-14)); // (-1 + sqrt(1 + tan^2 60)) / 2
+  CHECK(row[1] == doctest::Approx(2.0 / 3).epsilon(1e-14));
+  CHECK(row[2] == doctest::Approx(std::numbers::inv_pi).epsilon(1e-14));
+  CHECK(row[3] == doctest::Approx(std::numbers::inv_pi).epsilon(1e-14));
+  CHECK(row[4] == doctest::Approx(2.0 / 3 * std::numbers::inv_pi).epsilon(1e-14)); // G1 <o,m> D / c
+}
+
+TEST_CASE("BRDF of GGX of roughness 1 along the normal") {
+  const auto row = values(ggx, "theta_o,theta_i\n0,0\n", "brdf,brdf_cos,g2", 2);
+  CHECK(row[0] == doctest::Approx(std::numbers::inv_pi / 4).epsilon(1e-14)); // D / 4
+  CHECK(row[1] == doctest::Approx(std::numbers::inv_pi / 4).epsilon(1e-14));
+  CHECK(row[2] == 1);
+}
+
+TEST_CASE("integrals of GGX of roughness 1") {
+  const std::string separable = R"({"distribution": {"type": "ggx", "alpha": 1}, "shadowing": {"type": "none"}})";
+  const auto at_normal = values(ggx, "theta_o\n0\n", "albedo,furnace,weak_furnace,projected_area,visible_norm", 1);
+  CHECK(std::fabs(at_normal[0] - (1 - std::log(2))) < 1e-9);
+  CHECK(std::fabs(at_normal[1] - at_normal[0]) < 2e-9);
+  for (std::size_t k = 2; k < 5; ++k) CHECK(std::fabs(at_normal[k] - 1) < 1e-9);
+  const auto at_60 = values(separable, "theta_o\n60deg\n", "weak_furnace,projected_area,visible_norm", 1);
+  CHECK(std::fabs(at_60[0] - 1) < 1e-9);
+  CHECK(std::fabs(at_60[1] - 0.5) < 1e-9);
+  CHECK(std::fabs(at_60[2] - 1) < 1e-9);
+}
+
+TEST_CASE("angles and Cartesian vectors are the same directions") {
+  const auto angles = values(ggx, "theta_o,phi_o,theta_i,phi_i\n60deg,0.7,0.3,2\n", "brdf,g2", 4);
+  std::ostringstream row;
+  row.precision(17);
+  row << "x_o,y_o,z_o,theta_i,phi_i\n";
+  const double theta = std::numbers::pi / 3;
+  row << 5e200 * std::cos(0.7) * std::sin(theta) << ',' << 5e200 * std::sin(0.7) * std::sin(theta) << ','
+      << 5e200 * std::cos(theta) << ",0.3,2\n";
+  const auto cartesian = values(ggx, row.str(), "brdf,g2", 5);
+  for (std::size_t k = 0; k < 2; ++k) CHECK(cartesian[k] == doctest::Approx(angles[k]).epsilon(1e-13));
+}
+
+TEST_CASE("a coloured material has three columns where the quantity is coloured") {
+  const Folder folder;
+  const std::string out = check_output(
+      folder, "brdfplot eval configs/materials/rough_gold.json -q brdf,g2,fresnel,albedo -i configs/points/pairs.csv");
+  const auto rows = cells(out);
+  const std::vector<std::string> header = {"theta_o",   "phi_o",    "theta_i",  "phi_i",     "brdf_r",
+                                           "brdf_g",    "brdf_b",   "g2",       "fresnel_r", "fresnel_g",
+                                           "fresnel_b", "albedo_r", "albedo_g", "albedo_b"};
+  CHECK(rows.at(0) == header);
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    REQUIRE(rows[k].size() == header.size());
+    const auto at = [&](std::size_t column) { return std::stod(rows[k][column]); };
+    CHECK(at(4) / at(8) == doctest::Approx(at(5) / at(9)).epsilon(1e-12)); // rho / F has no colour
+    CHECK(at(11) > at(13));                                                // gold: red above blue
+  }
+}
+
+TEST_CASE("pairs use the half vector, whatever omega_m is") {
+  const std::string rougher = R"({"distribution": {"type": "ggx", "alpha": 0.5}})";
+  const auto without = values(rougher, "theta_o,theta_i\n0.5,0.2\n", "brdf,g2,d", 2);
+  const auto with = values(rougher, "theta_o,theta_i,theta_m\n0.5,0.2,0\n", "brdf,g2,d", 3);
+  CHECK(with[0] == without[0]);
+  CHECK(with[1] == without[1]);
+  CHECK(with[2] == doctest::Approx(4 * std::numbers::inv_pi));
+  CHECK(with[2] > without[2]);
+}
+
+TEST_CASE("at and below the horizon there is nothing, not NaN") {
+  for (const char* o : {"0,0,-1", "1,0,0", "1,0,-1e-300", "0,1,-0.5"}) {
+    const auto row = values(ggx, "x_o,y_o,z_o,theta_i\n" + std::string(o) + ",0.5\n",
+                            "g1,g2,brdf,brdf_cos,albedo,weak_furnace,visible_norm", 4);
+    for (const double value : row) CHECK(value == 0);
+  }
+  const auto opposite = values(ggx, "theta_o,x_i,y_i,z_i\n0,0,0,-1\n", "g1,g2,brdf,brdf_cos", 4);
+  for (const double value : opposite) CHECK(value == 0);
+}
+
+TEST_CASE("an accuracy out of reach names the row and the estimate reached") {
+  const Folder folder;
+  folder.write("in.csv", "theta_o\n0.1\n1.5\n");
+  const Outcome outcome =
+      run(folder, "brdfplot eval configs/materials/ggx.json -q g1,albedo -i in.csv -o out.csv --tolerance 1e-300");
+  CHECK(outcome.code == 4);
+  CHECK(outcome.err.starts_with("brdfplot: error: in.csv:2: albedo: reached an error estimate of "));
+  CHECK(folder.list() == std::vector<std::string>{"in.csv"});
+}

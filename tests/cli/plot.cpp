@@ -1,0 +1,86 @@
+#include "cli/program.hpp"
+
+using namespace test;
+
+namespace {
+
+/// A figure of one curve, which integrates when `quantity` says so.
+std::string figure(const std::string& id, const std::string& quantity = "lambda", const std::string& type = "ggx",
+                   const std::string& tolerance = "1e-7") {
+  return R"({"id": ")" + id + R"(", "kind": "lines", "title": "A curve", "caption": "One.", "tolerance": )" +
+         tolerance + R"(,
+  "x": {"variable": "theta_o", "from": 0.1, "to": "80deg"}, "y": {"label": "y"},
+  "material": {"distribution": {"type": ")" +
+         type + R"(", "alpha": 1}},
+  "panels": [{"series": [{"label": "curve", "quantity": ")" +
+         quantity + R"("}]}]})";
+}
+
+} // namespace
+
+TEST_CASE("a figure becomes an SVG and a CSV") {
+  const Folder folder;
+  folder.write("a.json", figure("one"));
+  folder.write("b.json", figure("two", "albedo"));
+  CHECK(check_output(folder, "brdfplot plot a.json b.json -o out/deep") == "");
+  CHECK(folder.list("out/deep") == std::vector<std::string>{"one.csv", "one.svg", "two.csv", "two.svg"});
+  const std::string csv = folder.read("out/deep/one.csv");
+  CHECK(csv.starts_with("panel,series,theta_o,"));
+  CHECK(std::ranges::count(csv, '\n') > 10);
+  CHECK(folder.read("out/deep/one.svg").find("<svg") != std::string::npos);
+  CHECK(folder.read("out/deep/one.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("figures are the same bytes on any number of threads") {
+  const Folder folder;
+  folder.write("a.json", figure("one"));
+  folder.write("b.json", figure("two", "albedo"));
+  folder.write("c.json", figure("three", "g1"));
+  for (const char* threads : {"1", "2", "7"})
+    check_output(folder, "brdfplot plot a.json b.json c.json -o out" + std::string(threads) + " --threads " + threads);
+  for (const auto& name : folder.list("out1")) {
+    CHECK(folder.read("out1/" + name) == folder.read("out2/" + name));
+    CHECK(folder.read("out1/" + name) == folder.read("out7/" + name));
+  }
+}
+
+TEST_CASE("progress") {
+  const Folder folder;
+  folder.write("a.json", figure("one"));
+  const Outcome outcome = run(folder, "brdfplot plot a.json -o out --progress always");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out == "");
+  CHECK(outcome.err.starts_with("1/1, "));
+  for (const char* flags : {"", "--progress never", "--progress auto", "--quiet"})
+    CHECK(check_output(folder, "brdfplot plot a.json -o out " + std::string(flags)) == "");
+}
+
+TEST_CASE("figures that fail leave the folder as it was") {
+  const Folder folder;
+  fs::create_directory(folder.path() / "out");
+  folder.write("out/one.csv", "as it was");
+  folder.write("a.json", figure("one"));
+  folder.write("same.json", figure("one"));
+  check_error(folder, "brdfplot plot a.json same.json -o out", 2, {"same.json: /id: found \"one\"", "a.json"});
+  folder.write("typo.json", figure("two", "lamda"));
+  check_error(folder, "brdfplot plot a.json typo.json -o out", 2, {"typo.json: /panels/0/series/0", "\"lamda\""});
+  folder.write("missing.json", figure("two", "brdf"));
+  check_error(folder, "brdfplot plot a.json missing.json -o out", 2, {"omega_i"});
+  // Beckmann's Lambda is not that accurate.
+  folder.write("fine.json", figure("two", "furnace", "beckmann", "1e-13"));
+  check_error(folder, "brdfplot plot a.json fine.json -o out", 4,
+              {"two, series \"curve\": furnace: reached an error estimate of ", "(asked: 1e-13)"});
+  CHECK(folder.list("out") == std::vector<std::string>{"one.csv"});
+  CHECK(folder.read("out/one.csv") == "as it was");
+}
+
+TEST_CASE("Ctrl-C while figures are computed") {
+  const Folder folder;
+  fs::create_directory(folder.path() / "out");
+  Process process(folder, "exec brdfplot plot configs/figures/fig1*.json -o out --threads 1");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  process.signal(SIGINT);
+  const Outcome outcome = process.wait();
+  CHECK(outcome.code == 130);
+  CHECK(folder.list("out").empty());
+}

@@ -1,0 +1,125 @@
+#include "cli/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace test;
+
+namespace {
+
+const std::string manifest = R"({
+  "title": "Two things", "introduction": "They are small.",
+  "entries": [
+    {"section": "Curves", "figure": "curve.json"},
+    {"section": "Tables", "table": {"id": "properties", "title": "Properties^{2}", "caption": "Up to 10^{-6}.",
+      "maskings": ["smith", "implicit"], "distributions": ["beckmann", "ggx"], "alpha": [0.3], "theta_o": ["60deg"]}}
+  ]})";
+
+const std::string curve = R"({"id": "curve", "kind": "lines", "title": "A curve", "caption": "One.",
+  "x": {"variable": "theta_o", "from": 0.1, "to": 1.5}, "y": {"label": "y"},
+  "material": {"distribution": {"type": "ggx", "alpha": 0.5}},
+  "panels": [{"series": [{"label": "GGX", "quantity": "g1"}]}]})";
+
+void write_report(const Folder& folder) {
+  folder.write("report.json", manifest);
+  folder.write("curve.json", curve);
+}
+
+} // namespace
+
+TEST_CASE("the folder of a report") {
+  const Folder folder;
+  write_report(folder);
+  CHECK(check_output(folder, "brdfplot report report.json -o out") == "");
+  CHECK(folder.list("out") == std::vector<std::string>{"figures", "index.html", "report.json", "tables"});
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
+  CHECK(folder.list("out/tables") == std::vector<std::string>{"properties.csv", "properties.md"});
+
+  const auto rows = cells(folder.read("out/tables/properties.csv"));
+  REQUIRE(rows.size() == 5);
+  const std::vector<std::string> header(rows[0].begin(), rows[0].begin() + 9);
+  CHECK(header == std::vector<std::string>{"distribution", "masking", "eq14_max_residual", "eq14_holds",
+                                           "eq18_max_residual", "eq18_holds", "eq36_max_residual", "eq36_holds",
+                                           "physically_based"});
+  CHECK(rows[0][9] == "eq14_alpha");
+  for (std::size_t r = 1; r < 5; ++r) {
+    CHECK(rows[r][0] == (r % 2 == 1 ? "beckmann" : "ggx"));
+    CHECK(rows[r][1] == (r < 3 ? "smith" : "implicit"));
+    CHECK(rows[r][8] == (r < 3 ? "true" : "false"));
+    CHECK((std::stod(rows[r][2]) < 1e-9) == (r < 3));
+    CHECK(rows[r][9] == "0.3");
+  }
+  const std::string markdown = folder.read("out/tables/properties.md");
+  CHECK(markdown.starts_with("# Properties"));
+  CHECK(markdown.find("| smith | ggx | ✓ ") != std::string::npos);
+  CHECK(markdown.find("| implicit | ggx | × ") != std::string::npos);
+  CHECK(markdown.find('{') == std::string::npos);
+
+  const auto record = nlohmann::json::parse(folder.read("out/report.json"));
+  REQUIRE(record.at("entries").size() == 2);
+  for (const auto& entry : record["entries"])
+    for (const auto& file : entry.at("files")) CHECK(folder.has("out/" + file.get<std::string>()));
+  CHECK(record["entries"][1].at("rows").size() == 4);
+  CHECK(folder.read("out/index.html").find("They are small.") != std::string::npos);
+}
+
+TEST_CASE("figures and tables of a report are the same bytes on any number of threads") {
+  const Folder folder;
+  write_report(folder);
+  for (const char* threads : {"1", "7"})
+    check_output(folder, "brdfplot report report.json -o out" + std::string(threads) + " --threads " + threads);
+  for (const char* name : {"figures/curve.svg", "figures/curve.csv", "tables/properties.csv", "tables/properties.md"})
+    CHECK(folder.read("out1/" + std::string(name)) == folder.read("out7/" + std::string(name)));
+}
+
+TEST_CASE("a report removes what it wrote earlier, and nothing else") {
+  const Folder folder;
+  write_report(folder);
+  fs::create_directories(folder.path() / "out/figures/kept.svg");
+  fs::create_directories(folder.path() / "out/tables");
+  for (const char* name : {"out/figures/old.svg", "out/figures/old.csv", "out/tables/old.md", "out/figures/notes.txt",
+                           "out/mine.csv", "out/figures/curve.csv"})
+    folder.write(name, "old");
+  check_output(folder, "brdfplot report report.json -o out");
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg", "kept.svg", "notes.txt"});
+  CHECK(folder.list("out/tables") == std::vector<std::string>{"properties.csv", "properties.md"});
+  CHECK(folder.has("out/mine.csv"));
+  CHECK(folder.read("out/figures/curve.csv") != "old");
+}
+
+TEST_CASE("a report that fails leaves the folder as it was") {
+  const Folder folder;
+  write_report(folder);
+  check_output(folder, "brdfplot report report.json -o out");
+  const std::string page = folder.read("out/index.html");
+  std::string broken = curve;
+  broken.replace(broken.find("\"g1\""), 4, "\"g2\""); // without omega_i
+  folder.write("curve.json", broken);
+  check_error(folder, "brdfplot report report.json -o out", 2, {"omega_i"});
+  CHECK(folder.read("out/index.html") == page);
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
+}
+
+TEST_CASE("manifests that are wrong") {
+  const Folder folder;
+  write_report(folder);
+  folder.write("a.json", R"({"title": "x", "entries": [{"section": "s", "figure": "nope.json"}]})");
+  check_error(folder, "brdfplot report a.json -o out", 3, {"nope.json: cannot read"});
+  folder.write("b.json", R"({"title": "x", "entires": []})");
+  check_error(folder, "brdfplot report b.json -o out", 2, {"b.json: ", "\"entires\"", "\"entries\""});
+  folder.write("c.json", R"({"title": "x", "entries": [{"section": "s", "figure": "curve.json"},
+                                                     {"section": "s", "figure": "curve.json"}]})");
+  check_error(folder, "brdfplot report c.json -o out", 2, {"c.json: /entries/1", "\"curve\""});
+  CHECK_FALSE(folder.has("out"));
+}
+
+TEST_CASE("Ctrl-C during the built-in report") {
+  const Folder folder;
+  Process process(folder, "exec brdfplot report -o out");
+  wait_for([&] { return folder.has("out"); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  process.signal(SIGINT);
+  const Outcome outcome = process.wait();
+  CHECK(outcome.code == 130);
+  CHECK(outcome.err == "brdfplot: error: interrupted\n");
+  CHECK(folder.list("out").empty());
+}

@@ -1,0 +1,132 @@
+#include "cli/program.hpp"
+#include "version.hpp"
+
+using namespace test;
+
+namespace {
+
+const std::vector<std::string> commands = {"eval", "plot", "report", "list", "schema", "validate"};
+
+/// The line below "Example:".
+std::string example_of(const std::string& help) {
+  const auto at = help.rfind("Example:\n  ");
+  REQUIRE(at != std::string::npos);
+  std::string line = help.substr(at + 11);
+  while (line.ends_with('\n')) line.pop_back();
+  return line;
+}
+
+} // namespace
+
+TEST_CASE("version and help") {
+  const Folder folder;
+  const std::string version = "brdfplot " + std::string(brdfplot::version) + "\n";
+  CHECK(check_output(folder, "brdfplot --version") == version);
+  CHECK(check_output(folder, "brdfplot eval --version") == version);
+  const std::string help = check_output(folder, "brdfplot --help");
+  for (const auto& command : commands) {
+    CHECK(help.find("\n  " + command + " ") != std::string::npos);
+    const std::string own = check_output(folder, "brdfplot " + command + " --help");
+    CHECK(own == check_output(folder, "brdfplot --help " + command));
+    CHECK(own.find("brdfplot " + command) != std::string::npos);
+  }
+  for (const char* flag : {"--threads", "--quiet", "--progress", "--color", "--version", "--help"})
+    CHECK(help.find(flag) != std::string::npos);
+}
+
+TEST_CASE("the example of every help works as printed") {
+  const Folder folder;
+  for (const auto& command : commands) {
+    const std::string help = check_output(folder, "brdfplot " + command + " --help");
+    const std::string example = example_of(help);
+    INFO(example);
+    CHECK(example.find('\n') == std::string::npos);
+    CHECK(example.starts_with("brdfplot " + command));
+    // The whole report of the paper is another test's.
+    if (command != "report") CHECK(run(folder, example).code == 0);
+  }
+  CHECK(run(folder, example_of(check_output(folder, "brdfplot --help"))).code == 0);
+}
+
+TEST_CASE("what is misspelt names the nearest") {
+  const Folder folder;
+  check_error(folder, "brdfplot", 2, {"no command", "accepted: eval, plot, report, list, schema, validate"});
+  check_error(folder, "brdfplot evla", 2, {"unknown command \"evla\"", "did you mean \"eval\"?", "accepted: eval"});
+  check_error(folder, "brdfplot eval --toleranse 1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
+  check_error(folder, "brdfplot eval --toleranse=1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
+  check_error(folder, "brdfplot --thread 2 list", 2, {"\"--thread\"", "did you mean \"--threads\"?"});
+  check_error(folder, "brdfplot list --thread 2", 2, {"\"--thread\"", "did you mean \"--threads\"?"});
+  check_error(folder, "brdfplot eval configs/materials/ggx.json -q lamda", 2,
+              {"-q: ", "\"lamda\"", "did you mean \"lambda\"?", "accepted: lambda, p22"});
+  check_error(folder, "brdfplot eval configs/materials/ggx.json -q lambda,", 2, {"-q: ", "unknown quantity \"\""});
+  check_error(folder, "brdfplot eval configs/materials/ggx.json -q d,g1,d", 2, {"-q: ", "\"d\"", "twice"});
+  check_error(folder, "brdfplot schema materiel", 2, {"\"materiel\"", "did you mean \"material\"?"});
+  check_error(folder, "brdfplot list fresnell", 2, {"\"fresnell\"", "did you mean \"fresnel\"?"});
+}
+
+TEST_CASE("wrong values and numbers of arguments") {
+  const Folder folder;
+  for (const char* value : {"0", "-1", "x", "1.5", "99999999999"})
+    check_error(folder, "brdfplot list --threads=" + std::string(value), 2, {"--threads: ", "a whole number >= 1"});
+  check_error(folder, "brdfplot list --threads", 2, {"--threads: needs a value"});
+  check_error(folder, "brdfplot list --threads 1 --threads 2", 2, {"--threads: is given more than once"});
+  check_error(folder, "brdfplot list --color alway", 2, {"--color: ", "did you mean \"always\"?"});
+  check_error(folder, "brdfplot list --progress sometimes", 2, {"--progress: ", "accepted: auto, always, never"});
+  check_error(folder, "brdfplot eval", 2, {"eval: needs MATERIAL.json"});
+  check_error(folder, "brdfplot eval configs/materials/ggx.json", 2, {"eval: needs -q"});
+  check_error(folder, "brdfplot plot -o x", 2, {"plot: needs FIGURE.json"});
+  check_error(folder, "brdfplot plot configs/figures/fig15_shear.json", 2, {"plot: needs -o DIR"});
+  check_error(folder, "brdfplot report", 2, {"report: needs -o DIR"});
+  check_error(folder, "brdfplot schema", 2, {"schema: needs KIND"});
+  check_error(folder, "brdfplot schema material figure", 2, {"\"figure\"", "one argument too many for schema"});
+  check_error(folder, "brdfplot validate", 2, {"validate: needs FILE"});
+  for (const char* value : {"0", "-1", "nan", "inf", "x"})
+    check_error(folder, "brdfplot eval configs/materials/ggx.json -q albedo --tolerance=" + std::string(value), 2,
+                {"--tolerance: ", "a number > 0"});
+  CHECK(folder.list().empty());
+}
+
+TEST_CASE("global flags stand before and after the command") {
+  const Folder folder;
+  const std::string rest = "eval configs/materials/ggx.json -q lambda -i configs/points/theta_o.csv";
+  const std::string expected = check_output(folder, "brdfplot " + rest);
+  CHECK_FALSE(expected.empty());
+  for (const char* flags : {"--threads 1", "--threads=2", "--quiet", "--progress never", "--color always"}) {
+    CHECK(check_output(folder, "brdfplot " + std::string(flags) + " " + rest) == expected);
+    CHECK(check_output(folder, "brdfplot " + rest + " " + flags) == expected);
+  }
+  CHECK(check_output(folder, "brdfplot --quiet validate configs/materials/ggx.json") == "");
+  CHECK(check_output(folder, "brdfplot validate configs/materials/ggx.json --quiet") == "");
+}
+
+TEST_CASE("an argument may be called like a command") {
+  const Folder folder;
+  check_output(folder, "brdfplot schema report");
+  check_error(folder, "brdfplot validate eval", 3, {"eval: cannot read"});
+}
+
+TEST_CASE("colour where it is asked for") {
+  const Folder folder;
+  CHECK(run(folder, "brdfplot x").err.find('\x1b') == std::string::npos); // not a terminal
+  CHECK(run(folder, "brdfplot --color never x").err.find('\x1b') == std::string::npos);
+  const std::string coloured = run(folder, "brdfplot --color always x").err;
+  CHECK(coloured.starts_with("brdfplot: \x1b["));
+  CHECK(coloured.find("error:\x1b[0m command line: unknown command") != std::string::npos);
+}
+
+TEST_CASE("list") {
+  const Folder folder;
+  const std::string all = check_output(folder, "brdfplot list");
+  std::string parts;
+  for (const char* section : {"distributions", "masking", "shadowing", "fresnel", "quantities"}) {
+    const std::string part = check_output(folder, "brdfplot list " + std::string(section));
+    CHECK_FALSE(part.empty());
+    parts += (parts.empty() ? "" : "\n") + part;
+  }
+  CHECK(all == parts);
+  for (const char* word : {"beckmann", "ggx", "phong", "gtr", "smith_rational", "v_cavity", "height_correlated",
+                           "conductor", "weak_furnace", "a number > 0", "default 5", "[Heitz 2014, Eq. 35]"})
+    CHECK(all.find(word) != std::string::npos);
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+}
