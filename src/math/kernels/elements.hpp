@@ -1,0 +1,135 @@
+/// \file
+/// One element of the kernels of a single direction: projection, masked area, Lambda. Included once per instruction
+/// set, like arithmetic.hpp; kernels.hpp says what they compute.
+#pragma once
+
+#include "math/kernels/arithmetic.hpp"
+#include "math/kernels/table.hpp"
+
+namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
+
+template <class T>
+using Constants = detail::StretchConstants<T>;
+
+/// 1 / (2 sqrt(pi))
+template <class T>
+inline constexpr T half_over_root_pi = T(0x1.20dd750429b6dp-2);
+
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+/// c, and the two lengths whose squares sum to s^2.
+template <class T>
+struct Projected {
+  T c, along, across;
+};
+
+/// `plain`: r = 0 and centred; otherwise the sums that cancel are carried with their rounding errors.
+template <bool plain, class T>
+BRDFPLOT_INLINE Projected<T> project(const Constants<T>& k, const Vector<T>& omega) {
+  if constexpr (plain) {
+    return {omega.z, k.alpha_x * omega.x, k.alpha_y * omega.y};
+  } else {
+    const Pair<T> first = sum_of_product(omega.z, -k.mean_x, omega.x);
+    const Pair<T> c = sum_of_product(first.high, -k.mean_y, omega.y);
+    const T skewed = k.skew.high * omega.y;
+    const Pair<T> along = sum_of_product(skewed, k.alpha_x, omega.x);
+    const T along_low = along.low + (product_low(k.skew.high, omega.y, skewed) + k.skew.low * omega.y);
+    return {c.high + (c.low + first.low), along.high + along_low, k.across * omega.y};
+  }
+}
+
+/// sqrt(x^2 + y^2) without underflow of the squares.
+template <class T>
+BRDFPLOT_INLINE T length(T x, T y) {
+  const bool small = larger(magnitude(x), magnitude(y)) < Format<T>::tiny;
+  const T up = small ? Format<T>::enlarge : T(1);
+  const T down = small ? Format<T>::reduce : T(1);
+  const T u = x * up, v = y * up;
+  return root(multiply_add(u, u, v * v)) * down;
+}
+
+/// |c| / s, at most largest_a, where Lambda is zero.
+template <class T>
+struct Ratio {
+  T a, square_low; ///< a, and (c / s)^2 - a a to first order
+};
+
+template <class T>
+BRDFPLOT_INLINE Ratio<T> ratio(T c, T s) {
+  const T divisor = larger(s, Format<T>::smallest_divisor);
+  const T dividend = smaller(magnitude(c), Format<T>::largest_a * divisor);
+  const T inverse = 1 / divisor;
+  const T a = dividend * inverse;
+  const T a_low = residual(dividend, a, divisor) * inverse;
+  return {a, multiply_add(a + a, a_low, product_low(a, a, a * a))};
+}
+
+/// The last step of the Beckmann masked area: s e^(-a^2) R(a) / (2 sqrt(pi)).
+template <class T>
+BRDFPLOT_INLINE T masked_area_beckmann(T c, T s, const Exponential<T>& e, const Quotient<T>& r) {
+  const T m = s * (half_over_root_pi<T> * e.value) * (r.numerator / r.denominator);
+  return scaled(m, e.shifted_k) + larger(-c, T(0));
+}
+
+/// The same for Lambda.
+template <class T>
+BRDFPLOT_INLINE T lambda_beckmann(T c, T s, const Exponential<T>& e, const Quotient<T>& r) {
+  const T dividend = smaller(c, Format<T>::largest_a * larger(s, Format<T>::smallest_divisor));
+  const T m = (s * (half_over_root_pi<T> * e.value) * r.numerator) / (dividend * r.denominator);
+  return c > 0 ? scaled(m, e.shifted_k) : T(__builtin_inf());
+}
+
+/// sqrt(c^2 + s^2) of the numbers scaled to the larger one.
+template <class T>
+struct Hypotenuse {
+  T c, s, root;
+};
+
+template <class T>
+BRDFPLOT_INLINE Hypotenuse<T> hypotenuse(T c, T s) {
+  const T absolute = magnitude(c);
+  const T factor = normalizer(larger(absolute, s));
+  const T u = absolute * factor, v = s * factor;
+  return {u, v, root(multiply_add(u, u, v * v))};
+}
+
+template <class T>
+BRDFPLOT_INLINE T masked_area_ggx(T c, T s) {
+  const Hypotenuse<T> h = hypotenuse(c, s);
+  // The first factor keeps the size of s, so that only true underflow is underflow; the limit is for c = s = 0.
+  return s * ((T(0.5) * h.s) / larger(h.c + h.root, Format<T>::smallest_divisor)) + larger(-c, T(0));
+}
+
+template <class T>
+BRDFPLOT_INLINE T lambda_ggx(T c, T s) {
+  const Hypotenuse<T> h = hypotenuse(c, s);
+  const T lambda = (T(0.5) * h.s * h.s) / (h.c * (h.c + h.root));
+  return c > 0 ? lambda : T(__builtin_inf());
+}
+
+/// `factor` times a Lambda(a) of Walter's fit, a = c / s.
+template <class T>
+BRDFPLOT_INLINE T walter(T c, T s, T factor) {
+  const T u = multiply_add(multiply_add(T(0.396), c, T(-1.259) * s), c, s * s);
+  return c < T(1.6) * s ? factor * (u / (s * multiply_add(T(2.181), c, T(3.535) * s))) : T(0);
+}
+
+template <class T>
+BRDFPLOT_INLINE T masked_area_walter(T c, T s) {
+  const T factor = normalizer(s);
+  const T scaled_s = larger(s * factor, Format<T>::smallest_divisor);
+  return walter(smaller(magnitude(c) * factor, 2 * scaled_s), scaled_s, s) + larger(-c, T(0));
+}
+
+template <class T>
+BRDFPLOT_INLINE T lambda_walter(T c, T s) {
+  const T factor = normalizer(s);
+  const T scaled_s = larger(s * factor, Format<T>::smallest_divisor);
+  const T scaled_c = smaller(magnitude(c) * factor, 2 * scaled_s);
+  return c > 0 ? walter(scaled_c, scaled_s, scaled_s / scaled_c) : T(__builtin_inf());
+}
+
+} // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE

@@ -1,0 +1,175 @@
+#include "math/kernels/kernels.hpp"
+
+#include "math/kernels/table.hpp"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+namespace brdfplot::kernels {
+
+namespace {
+
+constexpr std::array all_isas = {Isa::baseline, Isa::avx2, Isa::avx512};
+
+bool available(Isa isa) {
+#ifdef BRDFPLOT_KERNELS_X86
+  if (isa == Isa::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (isa == Isa::avx512)
+    return available(Isa::avx2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+#endif
+  return isa == Isa::baseline;
+}
+
+const detail::Table* table_of([[maybe_unused]] Isa isa) {
+#ifdef BRDFPLOT_KERNELS_X86
+  if (isa == Isa::avx2) return &detail::avx2_table;
+  if (isa == Isa::avx512) return &detail::avx512_table;
+#endif
+  return &detail::baseline_table;
+}
+
+/// The one that BRDFPLOT_ISA names, when it can be had.
+std::optional<Isa> requested_isa() {
+  const char* const request = std::getenv("BRDFPLOT_ISA");
+  if (request == nullptr) return std::nullopt;
+  for (const Isa isa : available_isas())
+    if (name(isa) == request) return isa;
+  return std::nullopt;
+}
+
+std::atomic<Isa>& active() {
+  static std::atomic<Isa> isa = requested_isa().value_or(available_isas().back());
+  return isa;
+}
+
+const detail::Table& table() { return *table_of(active().load(std::memory_order_relaxed)); }
+
+template <class T>
+const detail::Kernels<T>& kernels() {
+  if constexpr (sizeof(T) == sizeof(double))
+    return table().for_double;
+  else
+    return table().for_float;
+}
+
+template <class T>
+detail::Constant<T> constant(long double value) {
+  const T high = static_cast<T>(value);
+  return {high, static_cast<T>(value - static_cast<long double>(high))};
+}
+
+/// The constants in T of a stretch whose parameters are rounded to `Parameter` before, not after: the kernels then
+/// compute for one and the same stretch throughout.
+template <class T, class Parameter>
+detail::StretchConstants<T> constants_of(const Stretch& stretch) {
+  const auto parameter = [](double value) { return static_cast<long double>(static_cast<Parameter>(value)); };
+  const long double x = parameter(stretch.alpha_x), y = parameter(stretch.alpha_y);
+  const long double r = parameter(stretch.correlation);
+  const long double across = y * std::sqrt((1 - r) * (1 + r));
+  const long double pi_det = std::numbers::pi_v<long double> * x * across;
+  detail::StretchConstants<T> k{};
+  k.alpha_x = static_cast<T>(x);
+  k.alpha_y = static_cast<T>(y);
+  // The product is wanted exactly, also where long double is double.
+  k.skew.high = static_cast<T>(r) * k.alpha_y;
+  k.skew.low = std::fma(static_cast<T>(r), k.alpha_y, -k.skew.high);
+  k.across = static_cast<T>(across);
+  k.mean_x = static_cast<T>(parameter(stretch.mean_x));
+  k.mean_y = static_cast<T>(parameter(stretch.mean_y));
+  k.plain = r == 0 && k.mean_x == 0 && k.mean_y == 0;
+  k.inverse_x = constant<T>(1 / x);
+  k.inverse_y = constant<T>(1 / y);
+  k.inverse_det = constant<T>(1 / (x * across));
+  k.pi_det = static_cast<T>(pi_det);
+  k.inverse_pi_det = static_cast<T>(1 / pi_det);
+  return k;
+}
+
+template <class T>
+void run_project(const Stretch& stretch, Vectors<T> omega, T* c, T* s, std::size_t n) {
+  const auto k = constants_of<T, T>(stretch);
+  kernels<T>().project[k.plain](k, omega, c, s, n);
+}
+
+template <class T>
+void run_density(const Stretch& stretch, Distribution distribution, Vectors<T> m, T* d, std::size_t n) {
+  const auto k = constants_of<double, T>(stretch);
+  kernels<T>().density[static_cast<int>(distribution)][k.plain](k, m, d, n);
+}
+
+template <class T>
+void run_brdf(const Stretch& stretch, Distribution distribution, Shadowing shadowing, Vectors<T> o, Vectors<T> i,
+              T* value, std::size_t n) {
+  const auto k = constants_of<double, T>(stretch);
+  kernels<T>().brdf[static_cast<int>(distribution)][static_cast<int>(shadowing)][k.plain](k, o, i, value, n);
+}
+
+} // namespace
+
+std::string_view name(Isa isa) {
+  constexpr std::array<std::string_view, 3> names = {"baseline", "avx2", "avx512"};
+  return names[static_cast<std::size_t>(isa)];
+}
+
+std::vector<Isa> available_isas() {
+  std::vector<Isa> isas;
+  for (const Isa isa : all_isas)
+    if (available(isa)) isas.push_back(isa);
+  return isas;
+}
+
+Isa active_isa() { return active().load(std::memory_order_relaxed); }
+
+std::optional<std::string> isa_request_error() {
+  const char* const request = std::getenv("BRDFPLOT_ISA");
+  if (request == nullptr || requested_isa()) return std::nullopt;
+  std::string accepted;
+  for (const Isa isa : available_isas()) accepted.append(accepted.empty() ? "" : ", ").append(name(isa));
+  return "BRDFPLOT_ISA is \"" + std::string(request) + "\"; accepted on this machine: " + accepted;
+}
+
+bool use_isa(Isa isa) {
+  if (!available(isa)) return false;
+  active().store(isa, std::memory_order_relaxed);
+  return true;
+}
+
+#define BRDFPLOT_DEFINE(T)                                                                                             \
+  void project(const Stretch& stretch, Vectors<T> omega, T* c, T* s, std::size_t n) {                                  \
+    run_project(stretch, omega, c, s, n);                                                                              \
+  }                                                                                                                    \
+  void masked_area_beckmann(const T* c, const T* s, T* tau, std::size_t n) {                                           \
+    kernels<T>().masked_area_beckmann(c, s, tau, n);                                                                   \
+  }                                                                                                                    \
+  void masked_area_ggx(const T* c, const T* s, T* tau, std::size_t n) { kernels<T>().masked_area_ggx(c, s, tau, n); }  \
+  void masked_area_beckmann_walter(const T* c, const T* s, T* tau, std::size_t n) {                                    \
+    kernels<T>().masked_area_walter(c, s, tau, n);                                                                     \
+  }                                                                                                                    \
+  void lambda_beckmann(const T* c, const T* s, T* lambda, std::size_t n) {                                             \
+    kernels<T>().lambda_beckmann(c, s, lambda, n);                                                                     \
+  }                                                                                                                    \
+  void lambda_ggx(const T* c, const T* s, T* lambda, std::size_t n) { kernels<T>().lambda_ggx(c, s, lambda, n); }      \
+  void lambda_beckmann_walter(const T* c, const T* s, T* lambda, std::size_t n) {                                      \
+    kernels<T>().lambda_walter(c, s, lambda, n);                                                                       \
+  }                                                                                                                    \
+  void d_beckmann(const Stretch& stretch, Vectors<T> omega_m, T* d, std::size_t n) {                                   \
+    run_density(stretch, Distribution::beckmann, omega_m, d, n);                                                       \
+  }                                                                                                                    \
+  void d_ggx(const Stretch& stretch, Vectors<T> omega_m, T* d, std::size_t n) {                                        \
+    run_density(stretch, Distribution::ggx, omega_m, d, n);                                                            \
+  }                                                                                                                    \
+  void brdf(const Stretch& stretch, Distribution distribution, Shadowing shadowing, Vectors<T> omega_o,                \
+            Vectors<T> omega_i, T* value, std::size_t n) {                                                             \
+    run_brdf(stretch, distribution, shadowing, omega_o, omega_i, value, n);                                            \
+  }
+
+BRDFPLOT_DEFINE(double)
+BRDFPLOT_DEFINE(float)
+
+#undef BRDFPLOT_DEFINE
+
+} // namespace brdfplot::kernels

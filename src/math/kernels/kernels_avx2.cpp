@@ -1,0 +1,10 @@
+/// \file
+/// The kernels for AVX2 with FMA; kernels.cmake gives this source its flags.
+#define BRDFPLOT_KERNELS_NAMESPACE avx2
+#include "math/kernels/loops.hpp"
+
+namespace brdfplot::kernels::detail {
+
+constinit const Table avx2_table{avx2::kernels_of<double>(), avx2::kernels_of<float>()};
+
+} // namespace brdfplot::kernels::detail

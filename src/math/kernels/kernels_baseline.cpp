@@ -1,0 +1,10 @@
+/// \file
+/// The kernels for every processor of the architecture; kernels.cmake gives this source its flags.
+#define BRDFPLOT_KERNELS_NAMESPACE baseline
+#include "math/kernels/loops.hpp"
+
+namespace brdfplot::kernels::detail {
+
+constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>()};
+
+} // namespace brdfplot::kernels::detail

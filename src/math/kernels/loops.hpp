@@ -1,0 +1,239 @@
+/// \file
+/// The loops over arrays, and the table of them: the source that is compiled once per instruction set. Expects
+/// BRDFPLOT_KERNELS_NAMESPACE to be that instruction set's own namespace.
+///
+/// Where an element takes more than about a hundred instructions the work is cut into short loops over blocks that stay
+/// in the first-level cache: the scheduler of a processor holds some hundred instructions, and a long chain of
+/// dependent ones would keep it from starting with the next elements.
+#pragma once
+
+#include "math/kernels/brdf_elements.hpp"
+
+namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
+
+inline constexpr std::size_t block_size = 128;
+
+/// One value for each element of a block.
+template <class T>
+struct alignas(64) Column {
+  T values[block_size];
+  [[gnu::always_inline]] T& operator[](std::size_t j) { return values[j]; }
+};
+
+template <class T>
+BRDFPLOT_INLINE Vector3 element(const Vectors<T>& v, std::size_t j) {
+  return {static_cast<double>(v.x[j]), static_cast<double>(v.y[j]), static_cast<double>(v.z[j])};
+}
+
+/// A result as an element of the array: never infinite; as float, rounded without the processor's slow way to a
+/// subnormal number where the result is zero anyway.
+BRDFPLOT_INLINE void store(double value, double* to) { *to = smaller(value, 0x1.fffffffffffffp1023); }
+BRDFPLOT_INLINE void store(double value, float* to) {
+  const double finite = smaller(value, 0x1.fffffep127);
+  *to = static_cast<float>(finite < 0x1p-150 ? 0 : finite);
+}
+
+template <class T, bool plain>
+void project_all(const Constants<T>& constants, Vectors<T> omega, T* __restrict c, T* __restrict s, std::size_t n) {
+  const Constants<T> k = constants;
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < n; ++j) {
+    const Projected<T> p = project<plain>(k, Vector<T>{omega.x[j], omega.y[j], omega.z[j]});
+    c[j] = p.c;
+    s[j] = length(p.along, p.across);
+  }
+}
+
+template <class T, bool plain, Distribution distribution>
+void density_all(const Constants<double>& constants, Vectors<T> m, T* __restrict d, std::size_t n) {
+  const Constants<double> k = constants;
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < n; ++j)
+    store(distribution == Distribution::ggx ? d_ggx<plain>(k, element(m, j)) : d_beckmann<plain>(k, element(m, j)),
+          d + j);
+}
+
+template <class T, bool plain, Shadowing shadowing>
+void brdf_ggx_all(const Constants<double>& constants, Vectors<T> o, Vectors<T> i, T* __restrict value, std::size_t n) {
+  const Constants<double> k = constants;
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < n; ++j) store(brdf_ggx<shadowing, plain>(k, element(o, j), element(i, j)), value + j);
+}
+
+/// The masking of one side of the Beckmann BRDF, in two loops.
+struct BeckmannSides {
+  Column<double> c, s, a, area, denominator;
+};
+
+BRDFPLOT_INLINE void mask(BeckmannSides& side, std::size_t size) {
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < size; ++j) {
+    const BeckmannSide masked = beckmann_side(side.s[j], side.a[j]);
+    side.area[j] = masked.area;
+    side.denominator[j] = masked.denominator;
+  }
+}
+
+template <class T, bool plain, Shadowing shadowing>
+void brdf_beckmann_all(const Constants<double>& constants, Vectors<T> o, Vectors<T> i, T* __restrict value,
+                       std::size_t n) {
+  const Constants<double> k = constants;
+  BeckmannSides side_o, side_i;
+  Column<double> factor, shifted_k;
+  for (std::size_t first = 0; first < n; first += block_size) {
+    const std::size_t size = n - first < block_size ? n - first : block_size;
+#pragma GCC ivdep
+    for (std::size_t j = 0; j < size; ++j) {
+      const BeckmannGeometry g = beckmann_geometry<plain>(k, element(o, first + j), element(i, first + j));
+      side_o.c[j] = g.o.c, side_o.s[j] = g.o.s, side_o.a[j] = g.o.a;
+      side_i.c[j] = g.i.c, side_i.s[j] = g.i.s, side_i.a[j] = g.i.a;
+      factor[j] = g.factor, shifted_k[j] = g.shifted_k;
+    }
+    mask(side_o, size);
+    if (shadowing != Shadowing::none) mask(side_i, size);
+#pragma GCC ivdep
+    for (std::size_t j = 0; j < size; ++j) {
+      const BeckmannGeometry g{{side_o.c[j], 0, 0}, {side_i.c[j], 0, 0}, factor[j], shifted_k[j]};
+      const BeckmannSide none{};
+      store(brdf_beckmann<shadowing>(
+                g, {side_o.area[j], side_o.denominator[j]},
+                shadowing == Shadowing::none ? none : BeckmannSide{side_i.area[j], side_i.denominator[j]}),
+            value + first + j);
+    }
+  }
+}
+
+/// The loop of a function of (c, s).
+template <class T, T (*function)(T, T)>
+void over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, std::size_t n) {
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < n; ++j) out[j] = function(c[j], s[j]);
+}
+
+template <class T>
+using LastStep = T (*)(T, T, const Exponential<T>&, const Quotient<T>&);
+
+/// A block of Beckmann's masked area or Lambda on its way through four steps.
+template <class T>
+struct BeckmannBlock {
+  Column<T> a, square_low, value, shifted_k, numerator, denominator;
+};
+
+template <class T>
+BRDFPLOT_INLINE void step_ratio(BeckmannBlock<T>& b, std::size_t j, T c, T s) {
+  const Ratio<T> r = ratio(c, s);
+  b.a[j] = r.a;
+  b.square_low[j] = r.square_low;
+}
+
+template <class T>
+BRDFPLOT_INLINE void step_exponential(BeckmannBlock<T>& b, std::size_t j) {
+  const Exponential<T> e = exponential(-(b.a[j] * b.a[j]), -b.square_low[j]);
+  b.value[j] = e.value;
+  b.shifted_k[j] = e.shifted_k;
+}
+
+template <class T>
+BRDFPLOT_INLINE void step_quotient(BeckmannBlock<T>& b, std::size_t j) {
+  const Quotient<T> r = scaled_beckmann_lambda(b.a[j], b.square_low[j]);
+  b.numerator[j] = r.numerator;
+  b.denominator[j] = r.denominator;
+}
+
+template <class T, LastStep<T> last_step>
+BRDFPLOT_INLINE T step_last(BeckmannBlock<T>& b, std::size_t j, T c, T s) {
+  return last_step(c, s, {b.value[j], b.shifted_k[j]}, {b.numerator[j], b.denominator[j]});
+}
+
+template <class T>
+void begin(BeckmannBlock<T>& b, const T* c, const T* s, std::size_t size) {
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < size; ++j) step_ratio(b, j, c[j], s[j]);
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < size; ++j) step_exponential(b, j);
+}
+
+template <class T, LastStep<T> last_step>
+void finish(BeckmannBlock<T>& b, const T* c, const T* s, T* out, std::size_t size) {
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < size; ++j) step_quotient(b, j);
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < size; ++j) out[j] = step_last<T, last_step>(b, j, c[j], s[j]);
+}
+
+/// Begins `next` and finishes `last`, the block before it. A loop that divides for the one computes polynomials for the
+/// other, so that the divider and the multipliers work at the same time.
+template <class T, LastStep<T> last_step>
+void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const T* c, const T* s, T* out) {
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < block_size; ++j) {
+    step_ratio(next, j, c[j], s[j]);
+    step_quotient(last, j);
+  }
+#pragma GCC ivdep
+  for (std::size_t j = 0; j < block_size; ++j) {
+    (out - block_size)[j] = step_last<T, last_step>(last, j, (c - block_size)[j], (s - block_size)[j]);
+    step_exponential(next, j);
+  }
+}
+
+/// Masked area or Lambda of Beckmann.
+template <class T, LastStep<T> last_step>
+void beckmann_over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, std::size_t n) {
+  BeckmannBlock<T> blocks[2];
+  const std::size_t whole = n / block_size * block_size;
+  if (whole > 0) {
+    begin(blocks[0], c, s, block_size);
+    std::size_t parity = 0;
+    for (std::size_t first = block_size; first < whole; first += block_size) {
+      begin_and_finish<T, last_step>(blocks[1 - parity], blocks[parity], c + first, s + first, out + first);
+      parity = 1 - parity;
+    }
+    const std::size_t first = whole - block_size;
+    finish<T, last_step>(blocks[parity], c + first, s + first, out + first, block_size);
+  }
+  begin(blocks[0], c + whole, s + whole, n - whole);
+  finish<T, last_step>(blocks[0], c + whole, s + whole, out + whole, n - whole);
+}
+
+template <class T, bool plain, Distribution distribution, Shadowing shadowing>
+constexpr typename detail::Kernels<T>::Brdf brdf_of() {
+  if constexpr (distribution == Distribution::ggx)
+    return brdf_ggx_all<T, plain, shadowing>;
+  else
+    return brdf_beckmann_all<T, plain, shadowing>;
+}
+
+template <class T, bool plain, Distribution distribution>
+constexpr void add_distribution(detail::Kernels<T>& table) {
+  table.density[static_cast<int>(distribution)][plain] = density_all<T, plain, distribution>;
+  auto& row = table.brdf[static_cast<int>(distribution)];
+  row[static_cast<int>(Shadowing::none)][plain] = brdf_of<T, plain, distribution, Shadowing::none>();
+  row[static_cast<int>(Shadowing::separable)][plain] = brdf_of<T, plain, distribution, Shadowing::separable>();
+  row[static_cast<int>(Shadowing::minimum)][plain] = brdf_of<T, plain, distribution, Shadowing::minimum>();
+  row[static_cast<int>(Shadowing::height_correlated)][plain] =
+      brdf_of<T, plain, distribution, Shadowing::height_correlated>();
+}
+
+template <class T, bool plain>
+constexpr void add_stretched(detail::Kernels<T>& table) {
+  table.project[plain] = project_all<T, plain>;
+  add_distribution<T, plain, Distribution::beckmann>(table);
+  add_distribution<T, plain, Distribution::ggx>(table);
+}
+
+template <class T>
+constexpr detail::Kernels<T> kernels_of() {
+  detail::Kernels<T> table{};
+  add_stretched<T, false>(table);
+  add_stretched<T, true>(table);
+  table.masked_area_beckmann = beckmann_over_cs<T, masked_area_beckmann<T>>;
+  table.masked_area_ggx = over_cs<T, masked_area_ggx<T>>;
+  table.masked_area_walter = over_cs<T, masked_area_walter<T>>;
+  table.lambda_beckmann = beckmann_over_cs<T, lambda_beckmann<T>>;
+  table.lambda_ggx = over_cs<T, lambda_ggx<T>>;
+  table.lambda_walter = over_cs<T, lambda_walter<T>>;
+  return table;
+}
+
+} // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE

@@ -1,0 +1,62 @@
+/// \file
+/// What the dispatcher and the sources of one instruction set share. Only plain data and function pointers: an inline
+/// function here might be compiled with AVX-512 and then be the copy that the linker keeps for everybody.
+#pragma once
+
+#include "math/kernels/kernels.hpp"
+
+namespace brdfplot::kernels::detail {
+
+/// A constant in twice the precision of T.
+template <class T>
+struct Constant {
+  T high, low;
+};
+
+/// What the loops need of a Stretch.
+template <class T>
+struct StretchConstants {
+  bool plain; ///< uncorrelated and centred: nothing in it cancels
+  T alpha_x, alpha_y;
+  Constant<T> skew; ///< r alpha_y
+  T across;         ///< sqrt(1 - r^2) alpha_y
+  T mean_x, mean_y;
+  Constant<T> inverse_x;   ///< 1 / alpha_x
+  Constant<T> inverse_y;   ///< 1 / alpha_y
+  Constant<T> inverse_det; ///< 1 / det, det = alpha_x alpha_y sqrt(1 - r^2)
+  T pi_det;
+  T inverse_pi_det;
+};
+
+/// The kernels for arrays of one type, compiled for one instruction set. Densities and BRDFs are computed in double,
+/// whatever the arrays hold.
+template <class T>
+struct Kernels {
+  using Project = void (*)(const StretchConstants<T>&, Vectors<T>, T*, T*, std::size_t);
+  using Area = void (*)(const T*, const T*, T*, std::size_t);
+  using Density = void (*)(const StretchConstants<double>&, Vectors<T>, T*, std::size_t);
+  using Brdf = void (*)(const StretchConstants<double>&, Vectors<T>, Vectors<T>, T*, std::size_t);
+
+  Project project[2]; ///< [plain]
+  Area masked_area_beckmann;
+  Area masked_area_ggx;
+  Area masked_area_walter;
+  Area lambda_beckmann;
+  Area lambda_ggx;
+  Area lambda_walter;
+  Density density[2][2]; ///< [distribution][plain]
+  Brdf brdf[2][4][2];    ///< [distribution][shadowing][plain]
+};
+
+struct Table {
+  Kernels<double> for_double;
+  Kernels<float> for_float;
+};
+
+extern const Table baseline_table;
+#ifdef BRDFPLOT_KERNELS_X86
+extern const Table avx2_table;
+extern const Table avx512_table;
+#endif
+
+} // namespace brdfplot::kernels::detail
