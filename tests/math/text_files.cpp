@@ -1,0 +1,87 @@
+#include "math/text_files.hpp"
+
+#include "math/errors.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace brdfplot;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder {
+public:
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "brdfplot-files-XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  auto count() const { return std::distance(fs::directory_iterator(path_), fs::directory_iterator()); }
+
+private:
+  fs::path path_;
+};
+
+} // namespace
+
+TEST_CASE("what is written is read again") {
+  const Folder folder;
+  std::string text(200000, 'x');
+  text += std::string("\0\r\n", 3);
+  write_text_file(folder / "a", text);
+  CHECK(read_text_file(folder / "a") == text);
+  write_text_file(folder / "a", "");
+  CHECK(read_text_file(folder / "a") == "");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("without commit nothing happened") {
+  const Folder folder;
+  write_text_file(folder / "a", "as it was");
+  {
+    OutputFile out(folder / "a");
+    out.write("half of it");
+    CHECK(folder.count() == 2);
+    CHECK(read_text_file(folder / "a") == "as it was");
+  }
+  CHECK(folder.count() == 1);
+  CHECK(read_text_file(folder / "a") == "as it was");
+}
+
+TEST_CASE("two writers of one file do not disturb each other") {
+  const Folder folder;
+  OutputFile first(folder / "a");
+  OutputFile second(folder / "a");
+  first.write("first");
+  second.write("second");
+  second.commit();
+  first.commit();
+  CHECK(read_text_file(folder / "a") == "first");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("files and folders that cannot be") {
+  const Folder folder;
+  write_text_file(folder / "file", "");
+  CHECK_THROWS_AS(read_text_file(folder / "nope"), FileError);
+  CHECK_THROWS_AS(read_text_file(folder / "."), FileError);
+  CHECK_THROWS_AS(write_text_file(folder / ".", ""), FileError);
+  CHECK_THROWS_AS(write_text_file(folder / "file/x", ""), FileError);
+  CHECK_THROWS_AS(write_text_file("/dev/full", "x"), FileError);
+  CHECK_THROWS_AS(create_folders(folder / "file"), FileError);
+  CHECK_THROWS_AS(create_folders(folder / "file/x"), FileError);
+  CHECK_THROWS_AS(remove_file(folder / "nope"), FileError);
+  create_folders(folder / "a/b");
+  create_folders(folder / "a/b");
+  CHECK(fs::is_directory(folder / "a/b"));
+  remove_file(folder / "file");
+  CHECK(folder.count() == 1);
+}
