@@ -29,13 +29,12 @@ struct Scope {
   }
 };
 
-bool is_numeric(const Json& value) {
-  return value.is_number() || (value.is_string() && parse_angle(value.get<std::string>()));
-}
+/// A number, or an angle with its unit.
+bool is_numeric(const Json& value) { return angle()->matches(value); }
 
 Setting to_setting(const std::string& variable, const Json& value) {
-  if (value.is_string() && !parse_angle(value.get<std::string>())) return {variable, value.get<std::string>()};
-  return {variable, to_number(value)};
+  if (is_numeric(value)) return {variable, to_number(value)};
+  return {variable, value.get<std::string>()};
 }
 
 /// "60°" for "60deg", the number or the word otherwise.
@@ -43,8 +42,10 @@ std::string word_for(const Json& value) {
   if (value.is_number()) return format_number(value.get<double>());
   const auto text = value.get<std::string>();
   const auto unit = text.find("deg");
-  if (!parse_angle(text) || unit == std::string::npos) return text;
-  return text.substr(0, text.find_last_not_of(' ', unit - 1) + 1) + "°";
+  if (!is_numeric(value) || unit == std::string::npos) return text;
+  constexpr const char* blank = " \t\r";
+  const auto first = text.find_first_not_of(blank);
+  return text.substr(first, text.find_last_not_of(blank, unit - 1) + 1 - first) + "°";
 }
 
 std::string substituted(std::string text, const std::map<std::string, std::string>& words) {
@@ -269,8 +270,6 @@ private:
   void at_place(const std::string& place, const Attempt& attempt) const {
     try {
       attempt();
-    } catch (const MaterialError& error) {
-      file_.fail(place, error.pointer() + ": " + error.reason());
     } catch (const InputError& error) {
       file_.fail(place, error.what());
     }
@@ -292,16 +291,16 @@ private:
     }
     std::optional<plot::TermFunction> function;
     at_place(pointer + "/quantity", [&] { function.emplace(term, variables, tolerance_); });
-    at_place(pointer, [&] {
-      try {
-        function->check(from);
-        function->check(to);
-      } catch (const MaterialError& error) {
-        const auto place = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope);
-        if (place) file_.fail(*place, error.reason());
-        throw;
-      }
-    });
+    try {
+      function->check(from);
+      function->check(to);
+    } catch (const MaterialError& error) {
+      const auto place = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope);
+      if (place) file_.fail(*place, error.reason());
+      file_.fail(pointer, error.pointer() + ": " + error.reason());
+    } catch (const InputError& error) {
+      file_.fail(pointer, error.what());
+    }
   }
 
   /// Where the value of a parameter was set last, if not in the material itself.

@@ -1,0 +1,190 @@
+#include "config/load.hpp"
+#include "temp_files.hpp"
+
+#include <vector>
+
+namespace {
+
+using namespace brdfplot;
+using test::contains;
+using test::error_of;
+using test::TempFolder;
+
+struct Case {
+  std::string panel;   ///< keys of the panel, or nothing for one plain series
+  std::string rest;    ///< further keys of the figure
+  std::string pointer; ///< where the error stands
+  std::string what;    ///< part of what it says
+};
+
+const std::string series = R"("series": [{"quantity": "d"}])";
+const std::string viewed = R"("series": [{"quantity": "g1", "at": {"theta_o": 1}}])";
+const std::string x = R"("x": {"variable": "theta_m", "from": 0, "to": 1})";
+const std::string head = R"("id": "f", "kind": "lines", "title": "T", "caption": "C", )";
+
+/// A figure; `rest` replaces the keys it names.
+std::string figure_text(const Case& one) {
+  const auto unless = [&](const std::string& key, const std::string& text) {
+    return contains(one.rest, "\"" + key + "\":") ? "" : text + ", ";
+  };
+  return "{" + unless("id", R"("id": "f")") + unless("kind", R"("kind": "lines")") +
+         unless("title", R"("title": "T")") + unless("x", x) +
+         unless("material", R"("material": {"distribution": {"type": "ggx", "alpha": 0.5}})") +
+         (one.rest.empty() ? "" : one.rest + ", ") + R"("caption": "C", "panels": [{)" +
+         (one.panel.empty() ? series : one.panel) + "}]}";
+}
+
+void check_all(const std::vector<Case>& cases) {
+  const TempFolder folder;
+  for (const auto& one : cases) {
+    CAPTURE(one.panel);
+    CAPTURE(one.rest);
+    const auto path = folder.write("fig.json", figure_text(one));
+    const std::string error = error_of(folder, 2, [&] { config::load_figure(path); });
+    CAPTURE(error);
+    CHECK(error.substr(0, error.find(": ", 10)) == "fig.json: " + one.pointer);
+    CHECK_MESSAGE(contains(error, one.what), error);
+  }
+}
+
+} // namespace
+
+TEST_CASE("figures: shape") {
+  check_all({
+      {"", R"("colums": 2)", "/colums", "did you mean \"columns\"?"},
+      {"", R"("kind": "line")", "/kind", "unknown value \"line\"; did you mean \"lines\"?"},
+      {"", R"("columns": 0)", "/columns", "found 0, accepted: a whole number in [1, 8]"},
+      {"", R"("columns": 1.5)", "/columns", "found 1.5"},
+      {"", R"("tolerance": 0)", "/tolerance", "found 0"},
+      {"", R"("cells": 1)", "/cells", "found 1"},
+      {"", R"("id": "../x")", "/id", "found \"../x\", accepted: letters, digits"},
+      {"", R"("id": "")", "/id", "found \"\""},
+      {"", R"("id": "a/b")", "/id", "found \"a/b\""},
+      {"", R"("id": "a\nb")", "/id", "found \"a\\nb\""},
+      {"", R"("id": ".hidden")", "/id", "found \".hidden\""},
+      {"", R"("id": "fïg")", "/id", "found \"fïg\""},
+      {R"("series": [])", "", "/panels/0/series", "found 0 items"},
+      {R"("series": [{}])", "", "/panels/0/series/0",
+       "found none of quantity, ratio, difference, absolute; accepted: either"},
+      {R"("series": [{"quantity": "d", "ratio": [{"quantity": "d"}, {"quantity": "d"}]}])", "", "/panels/0/series/0",
+       "found quantity with ratio"},
+      {R"("series": [{"ratio": [{"quantity": "d"}]}])", "", "/panels/0/series/0/ratio", "found 1 items"},
+      {R"("series": [{"absolute": {"difference": [{"quantity": "d"}, 3]}}])", "",
+       "/panels/0/series/0/absolute/difference/1", "found 3"},
+      {R"("title": 3, )" + series, "", "/panels/0/title", "found 3"},
+      {R"("for_each": {"variable": "alpha", "values": []}, )" + series, "", "/panels/0/for_each/values",
+       "found 0 items"},
+      {R"("for_each": {"variable": "alpha", "values": [[1]]}, )" + series, "", "/panels/0/for_each/values/0",
+       "found an array"},
+  });
+}
+
+TEST_CASE("figures: names that nothing has, at the name") {
+  check_all({
+      {R"("series": [{"quantity": "g11", "at": {"theta_o": 1}}])", "", "/panels/0/series/0/quantity",
+       "unknown quantity \"g11\"; did you mean \"g1\"?"},
+      {R"("series": [{"ratio": [{"quantity": "d"}, {"quantity": "brdff"}]}])", "",
+       "/panels/0/series/0/ratio/1/quantity", "did you mean \"brdf\"?"},
+      {R"("series": [{"quantity": "d", "at": {"alhpa": 1}}])", "", "/panels/0/series/0/at/alhpa",
+       "unknown variable \"alhpa\"; did you mean \"alpha\"?"},
+      {R"("at": {"theta_0": 1}, )" + series, "", "/panels/0/at/theta_0", "did you mean \"theta_o\"?"},
+      {"", R"("at": {"exponent": 1})", "/at/exponent", "unknown variable \"exponent\""},
+      {R"("for_each": {"variable": "gama", "values": [1]}, )" + series, "", "/panels/0/for_each/values/0",
+       "unknown variable \"gama\""},
+      {"", R"("x": {"variable": "thetam", "from": 0, "to": 1})", "/x", "did you mean \"theta_m\"?"},
+      {R"("x": {"variable": "thetam"}, )" + series, "", "/panels/0/x", "did you mean \"theta_m\"?"},
+      {R"("at": {"masking": "smiht"}, )" + series, "", "/panels/0/at/masking",
+       "unknown masking \"smiht\"; did you mean \"smith\"?"},
+      {R"("for_each": {"variable": "distribution", "values": ["ggx", "bekmann"]}, )" + series, "",
+       "/panels/0/for_each/values/1", "did you mean \"beckmann\"?"},
+      {R"("at": {"maskin": "smith"}, )" + series, "", "/panels/0/at/maskin", "did you mean \"masking\"?"},
+      {R"("at": {"alpha": "rough"}, )" + series, "", "/panels/0/at/alpha",
+       "\"alpha\" cannot be \"rough\"; accepted: a number"},
+      {R"("at": {"theta_o": "nan"}, )" + series, "", "/panels/0/at/theta_o", "cannot be \"nan\""},
+      {R"("at": {"theta_o": "infdeg"}, )" + series, "", "/panels/0/at/theta_o", "cannot be \"infdeg\""},
+      {R"("at": {"theta_o": "60"}, )" + series, "", "/panels/0/at/theta_o", "cannot be \"60\""},
+      {R"("series": [{"quantity": "d", "material": "gols"}])",
+       R"("materials": {"gold": {"distribution": {"type": "ggx", "alpha": 1}}})", "/panels/0/series/0/material",
+       "unknown material \"gols\"; did you mean \"gold\"?"},
+      {"", R"("material": "gold")", "/material", "unknown material \"gold\" accepted: none"},
+  });
+}
+
+TEST_CASE("figures: values that a material refuses, where they were set") {
+  check_all({
+      {R"("series": [{"quantity": "d", "at": {"alpha": 0}}])", "", "/panels/0/series/0/at/alpha",
+       "found 0, accepted: a number > 0"},
+      {R"("for_each": {"variable": "alpha", "values": [1, -2]}, )" + series, "", "/panels/0/for_each/values/1",
+       "found -2"},
+      {"", R"("x": {"variable": "correlation", "from": 0, "to": 1}, "at": {"theta_m": 0})", "/x",
+       "found 1, accepted: a number in (-1, 1)"},
+      {"", R"("x": {"variable": "stretch_x", "from": 0, "to": 1}, "at": {"theta_m": 0})", "/x",
+       "found 0, accepted: a number > 0"},
+      {"", R"("x": {"variable": "stretch_x", "from": 1, "to": 2}, "at": {"theta_m": 0},
+              "material": {"distribution": {"type": "phong", "exponent": 4}})",
+       "/panels/0/series/0", "shape-invariant"},
+      {R"("at": {"masking": "v_cavity"}, )" + series,
+       R"("material": {"distribution": {"type": "ggx", "alpha": 1}, "shadowing": {"type": "height_correlated"}})",
+       "/panels/0/series/0", "/shadowing/type: \"height_correlated\" needs"},
+      {"", R"("materials": {"unused": {"distribution": {"type": "ggx", "alpha": 1}, "masking": {"type": "kelemen"},
+                            "shadowing": {"type": "height_correlated"}}})",
+       "/materials/unused/shadowing/type", "needs a masking"},
+      {"", R"("material": {"distribution": {"type": "ggx", "alpha": 0}})", "/material/distribution/alpha", "found 0"},
+  });
+}
+
+TEST_CASE("figures: what a quantity needs") {
+  check_all({
+      {R"("series": [{"quantity": "d"}, {"quantity": "g1"}])", "", "/panels/0/series/1", "needs omega_o: theta_o"},
+      {R"("series": [{"quantity": "brdf", "at": {"theta_o": 1}}])", "", "/panels/0/series/0", "needs omega_i: theta_i"},
+      {R"("series": [{"difference": [{"quantity": "d"}, {"quantity": "lambda"}]}])", "",
+       "/panels/0/series/0/difference/1", "needs omega_o: theta_o"},
+      {R"("series": [{"quantity": "furnace"}])", "", "/panels/0/series/0", "needs theta_o"},
+      {R"("series": [{"quantity": "lambda", "at": {"theta_o": 1, "masking": "v_cavity"}}])", "", "/panels/0/series/0",
+       "the masking function depends on the normal and has no Lambda"},
+      {R"("series": [{"quantity": "d", "at": {"theta_m": 1}}])", R"("x": {"variable": "theta_o", "from": 0, "to": 1},
+        "material": {"distribution": {"type": "ggx"}})",
+       "/material/distribution", "found none of alpha"},
+  });
+  const TempFolder folder;
+  const auto bare = folder.write("fig.json", "{" + head + x + R"(, "panels": [{)" + series + "}]}");
+  CHECK(error_of(folder, 2, [&] { config::load_figure(bare); }) ==
+        "fig.json: /panels/0/series/0: \"material\" is missing here and above");
+  const auto no_x = folder.write("fig.json", "{" + head + R"("panels": [{)" + series + "}]}");
+  CHECK(
+      contains(error_of(folder, 2, [&] { config::load_figure(no_x); }), "fig.json: /panels/0: \"variable\" of \"x\""));
+}
+
+TEST_CASE("figures: axes, labels and what only some kinds have") {
+  const std::string polar = R"("kind": "polar", "x": {"variable": "theta_m", "from": -1, "to": 1})";
+  const std::string map = R"("kind": "heatmap", "y": {"variable": "theta_o", "from": 0, "to": 1})";
+  check_all({
+      {"", R"("x": {"variable": "theta_m", "from": 0, "to": 1, "scale": "log"})", "/x", "found from = 0 on a log axis"},
+      {R"("y": {"scale": "log", "from": -1}, )" + series, "", "/panels/0/y", "found from = -1 on a log axis"},
+      {"", R"("y": {"scale": "log", "to": 0})", "/y", "found to = 0 on a log axis, accepted: a number > 0"},
+      {"", R"("x": {"variable": "theta_m", "from": 1, "to": 1})", "/x",
+       "found from = 1 and to = 1, accepted: from < to"},
+      {R"("x": {"from": 2}, )" + series, "", "/panels/0/x", "found from = 2 and to = 1"},
+      {"", R"("x": {"variable": "theta_m", "from": 1})", "/x", "needs \"from\" and \"to\""},
+      {"", R"("x": {"from": 0, "to": 1})", "/x", "\"variable\" of \"x\" is missing"},
+      {"", R"("x": {"variable": "theta_m", "from": "0°", "to": 1})", "/x/from",
+       "found \"0°\", accepted: a number in radians"},
+      {"", R"("x": {"variable": "theta_m", "from": 0, "to": 1, "samples": 1})", "/x/samples", "found 1"},
+      {"", R"("x": {"variable": "theta_m", "from": 0, "to": 1, "unit": "degree"})", "/x/unit",
+       "did you mean \"degrees\"?"},
+      {R"("arrows": ["omega_o"], )" + series, polar, "/panels/0/arrows", "\"omega_o\" needs \"theta_o\""},
+      {R"("arrows": ["mirror"], )" + viewed, polar, "/panels/0/arrows", "\"mirror\" needs \"theta_o\""},
+      {R"("arrows": ["omega_m"], )" + series, polar, "/panels/0/arrows/0", "unknown value \"omega_m\""},
+      {R"("arrows": ["omega_o"], "at": {"theta_o": 1}, )" + series, "", "/panels/0/arrows",
+       "only a polar plot has arrows"},
+      {R"("series": [{"quantity": "g1"}, {"quantity": "g1"}])", map, "/panels/0/series", "a heat map has one series"},
+      {R"("series": [{"quantity": "g1"}])", R"("kind": "heatmap")", "/panels/0", "\"variable\" of \"y\" is missing"},
+      {R"("contours": [{"label": "", "level": 1}], )" + series, "", "/panels/0/contours",
+       "only a heat map has contours"},
+      {R"("for_each": {"variable": "alpha", "values": [1, 2], "labels": ["one"]}, )" + series, "",
+       "/panels/0/for_each/labels", "found 1 labels for 2 values"},
+      {R"("series": [{"quantity": "d", "for_each": [{"variable": "phi_m", "values": [1]},
+          {"variable": "alpha", "values": [1], "labels": ["a", "b"]}]}])",
+       "", "/panels/0/series/0/for_each/1/labels", "found 2 labels for 1 values"},
+  });
+}
