@@ -54,9 +54,8 @@ struct Table {
 };
 
 extern const Table baseline_table;
-#ifdef BRDFPLOT_KERNELS_X86
+// Declared everywhere: a const that only its own source knows would not leave it.
 extern const Table avx2_table;
 extern const Table avx512_table;
-#endif
 
 } // namespace brdfplot::kernels::detail
