@@ -24,7 +24,7 @@ struct RenderedFigure {
   double seconds = 0;
 };
 
-RenderedFigure render(const plot::FigureDescription& figure);
+RenderedFigure render(const plot::FigureDescription& description);
 
 /// Seconds that `work` takes.
 double timed(const std::function<void()>& work);
