@@ -13,6 +13,40 @@ namespace brdfplot::plot {
 
 namespace {
 
+constexpr double pi = std::numbers::pi;
+
+/// Where a term over `variable` may have something narrow: the normal of the mesosurface, the direction that it mirrors
+/// the other one to, the other direction itself.
+std::vector<double> narrow_places(const std::string& variable, const Configuration& fixed) {
+  const auto angle = [&](const char* name) { return fixed.angle(name).value_or(0); };
+  const Vec2 mean = fixed.mean_slope();
+  // The slope of the mean normal in the plane of azimuth phi.
+  const auto slope = [&](double phi) { return -mean[0] * std::cos(phi) - mean[1] * std::sin(phi); };
+  const auto around = [&](double phi) {
+    return std::vector<double>{phi, phi - pi, phi + pi, phi - 2 * pi, phi + 2 * pi};
+  };
+  if (variable == "slope") return {slope(angle("phi_m"))};
+  if (variable == "phi_i") return around(angle("phi_o"));
+  if (variable == "phi_o") return around(angle("phi_i"));
+  if (variable == "phi_m") {
+    auto out = around(std::atan2(-mean[1], -mean[0]));
+    for (const double phi : around(angle("phi_o"))) out.push_back(phi);
+    return out;
+  }
+  if (!variable.starts_with("theta_")) return {};
+  const double normal = std::atan(slope(angle(variable == "theta_i"   ? "phi_i"
+                                              : variable == "theta_o" ? "phi_o"
+                                                                      : "phi_m")));
+  std::vector<double> out = {0, normal};
+  const auto other = fixed.angle(variable == "theta_o" ? "theta_i" : "theta_o");
+  if (!other) return out;
+  for (const double theta : {*other, -*other}) {
+    out.push_back(theta);
+    if (variable != "theta_m") out.push_back(2 * normal + theta);
+  }
+  return out;
+}
+
 /// An expression with its terms ready to be evaluated.
 class Evaluator {
 public:
@@ -32,8 +66,16 @@ public:
     return 0;
   }
 
-  /// The first term, for what all share: seeds, and whether values are costly.
-  const TermFunction& first() const { return terms_.empty() ? operands_[0].first() : terms_[0]; }
+  /// Where a curve over `variable` may have something narrow.
+  std::vector<double> seeds(const std::string& variable) const {
+    std::vector<double> out;
+    for (const auto& term : terms_) out = narrow_places(variable, term.fixed());
+    for (const auto& operand : operands_) {
+      const auto more = operand.seeds(variable);
+      out.insert(out.end(), more.begin(), more.end());
+    }
+    return out;
+  }
 
   bool costly() const {
     return (!terms_.empty() && terms_[0].is_integral()) ||
@@ -46,14 +88,11 @@ private:
   std::vector<Evaluator> operands_;
 };
 
-/// Where a curve over `variable` may have something narrow: the mirror direction, the normal, the other direction.
-std::vector<double> seeds(const std::string& variable, const Configuration& fixed) {
-  const auto theta_o = fixed.theta_o();
-  if (variable == "theta_m") return theta_o ? std::vector<double>{0, *theta_o} : std::vector<double>{0};
-  if (variable == "theta_i") return theta_o ? std::vector<double>{-*theta_o, *theta_o, 0} : std::vector<double>{0};
-  if (variable == "theta_o") return {0};
-  if (variable == "phi_i" || variable == "phi_o") return {0, std::numbers::pi};
-  return {};
+/// Labels may hold anything; errors are one line.
+std::string one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20; }, ' ');
+  return text;
 }
 
 /// Rethrows an error with the series that it belongs to.
@@ -62,19 +101,21 @@ auto naming(const std::string& where, const Function& function) {
   try {
     return function();
   } catch (const AccuracyError& error) {
-    throw AccuracyError(where, error.what());
+    throw AccuracyError(where, one_line(error.what()));
   } catch (const MaterialError& error) {
-    throw InputError(where, error.pointer() + ": " + error.reason());
+    throw InputError(where, error.pointer() + ": " + one_line(error.reason()));
   } catch (const InputError& error) {
-    throw InputError(where, error.what());
+    throw InputError(where, one_line(error.what()));
   }
 }
 
-std::string place(const FigureDescription& figure, const PanelDescription& panel, const SeriesDescription& series) {
-  std::string where = figure.id;
-  if (!panel.title.empty()) where += ", panel \"" + panel.title + "\"";
-  if (!series.label.empty()) where += ", series \"" + series.label + "\"";
-  return where;
+/// "fig4, panel "Smith", series 2": by title and label, by number where there is none.
+std::string place(const FigureDescription& figure, const PanelDescription& panel, std::size_t series) {
+  const auto call = [](const std::string& what, const std::string& name, std::ptrdiff_t index) {
+    return ", " + what + " " + (name.empty() ? std::to_string(index + 1) : "\"" + one_line(name) + "\"");
+  };
+  return one_line(figure.id) + call("panel", panel.title, &panel - figure.panels.data()) +
+         call("series", panel.series.at(series).label, static_cast<std::ptrdiff_t>(series));
 }
 
 /// Series of one label share a style, in the order in which labels appear.
@@ -95,15 +136,18 @@ private:
 class CurveSource {
 public:
   CurveSource(const FigureDescription& figure, const PanelDescription& panel, const SeriesDescription& series)
-      : evaluator_(series.value, {panel.x.column}, figure.tolerance), request_{
-                                                                          panel.x, panel.y, figure.kind == Kind::polar,
-                                                                          {},      129,     panel.samples == 0} {
+      : evaluator_(series.value, {panel.x.column}, figure.tolerance) {
+    request_.x = panel.x;
+    request_.y = panel.y;
+    request_.polar = figure.kind == Kind::polar;
+    request_.adaptive = panel.samples == 0;
+    if (evaluator_.costly()) request_.noise = figure.tolerance;
     if (panel.samples > 0)
       request_.initial = panel.samples;
     else if (evaluator_.costly())
       request_.initial = 33;
     else
-      request_.seeds = seeds(panel.x.column, evaluator_.first().fixed());
+      request_.seeds = evaluator_.seeds(panel.x.column);
   }
 
   double value(double x) {
@@ -139,14 +183,14 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
   std::vector<CurveSource> sources;
   double low = infinity;
   double high = -infinity;
-  for (const auto& series : description.series)
-    naming(place(figure, description, series), [&] {
-      sources.emplace_back(figure, description, series);
+  for (std::size_t k = 0; k < description.series.size(); ++k)
+    naming(place(figure, description, k), [&] {
+      sources.emplace_back(figure, description, description.series[k]);
       sources.back().widen(low, high);
     });
   for (std::size_t k = 0; k < sources.size(); ++k) {
     const auto& series = description.series[k];
-    Curve points = naming(place(figure, description, series), [&] { return sources[k].draw(low, high); });
+    Curve points = naming(place(figure, description, k), [&] { return sources[k].draw(low, high); });
     panel.series.push_back(
         {series.label, std::move(points.x), std::move(points.y), styles.of(series.label), series.ramp});
   }
@@ -193,7 +237,7 @@ Figure compute(const FigureDescription& description) {
   for (const auto& from : description.panels) {
     Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}};
     if (description.kind == Kind::heatmap) {
-      naming(place(description, from, from.series.at(0)), [&] { fill_heatmap(description, from, panel); });
+      naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
     } else {
       fill_curves(description, from, styles, panel);
     }

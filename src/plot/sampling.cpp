@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
 
 namespace brdfplot::plot {
 
@@ -11,7 +14,10 @@ namespace {
 struct Sample {
   double t; ///< x on the axis's scale
   double y;
+  bool is_kink = false;
 };
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Where a sample is drawn, in units of the plot's size.
 class Canvas {
@@ -19,7 +25,7 @@ public:
   Canvas(const CurveRequest& request, const std::vector<Sample>& samples) : request_(request) {
     low_ = request.y.from;
     high_ = request.y.to;
-    double data_low = infinity_, data_high = -infinity_;
+    double data_low = infinity, data_high = -infinity;
     for (const Sample& sample : samples) {
       const double v = scaled(sample.y);
       if (!std::isfinite(v)) continue;
@@ -45,22 +51,37 @@ public:
     return {(sample.t - t_low_) / t_span_, v};
   }
 
+  /// How far the sample in the middle lies off the chord of the two others, beyond what is noise. Infinity where one
+  /// of them cannot be drawn.
+  double error(const Sample& a, const Sample& middle, const Sample& b) const {
+    const auto p = at(a), q = at(b), m = at(middle);
+    const double off =
+        request_.polar ? distance(m, p, q) : std::fabs(m[1] - p[1] - (q[1] - p[1]) * (m[0] - p[0]) / (q[0] - p[0]));
+    if (std::isnan(off)) return infinity;
+    return std::max(0.0, off - 2 * noise(middle));
+  }
+
+  double noise(const Sample& sample) const {
+    if (request_.noise == 0) return 0;
+    if (request_.polar) return request_.noise / high_;
+    return request_.noise / (high_ - low_) / (request_.y.scale == Scale::logarithmic ? std::fabs(sample.y) : 1);
+  }
+
 private:
-  static constexpr double infinity_ = std::numeric_limits<double>::infinity();
+  /// Distance of p from the segment ab.
+  static double distance(const std::array<double, 2>& p, const std::array<double, 2>& a,
+                         const std::array<double, 2>& b) {
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double length2 = dx * dx + dy * dy;
+    const double along = length2 > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2, 0.0, 1.0) : 0;
+    return std::hypot(p[0] - a[0] - along * dx, p[1] - a[1] - along * dy);
+  }
   double scaled(double y) const {
-    return request_.y.scale == Scale::logarithmic ? (y > 0 ? std::log(y) : -infinity_) : y;
+    return request_.y.scale == Scale::logarithmic ? (y > 0 ? std::log(y) : -infinity) : y;
   }
   const CurveRequest& request_;
   double low_, high_, t_low_, t_span_;
 };
-
-/// Distance of p from the segment ab.
-double distance(const std::array<double, 2>& p, const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  const double dx = b[0] - a[0], dy = b[1] - a[1];
-  const double length2 = dx * dx + dy * dy;
-  const double along = length2 > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2, 0.0, 1.0) : 0;
-  return std::hypot(p[0] - a[0] - along * dx, p[1] - a[1] - along * dy);
-}
 
 class Sampler {
 public:
@@ -74,11 +95,11 @@ public:
     std::vector<Sample> samples;
     for (const double t : first()) samples.push_back(evaluate(t));
     if (!request_.adaptive) return samples;
+    left_ = most_evaluations;
+    refine(Canvas(request_, samples), samples);
     const Canvas canvas(request_, samples);
-    std::vector<Sample> refined = {samples.front()};
-    for (std::size_t k = 0; k + 1 < samples.size(); ++k) refine(canvas, samples[k], samples[k + 1], 0, refined);
-    const Canvas final_canvas(request_, refined);
-    return simplified(final_canvas, refined);
+    if (!request_.polar && request_.noise == 0) add_kinks(canvas, samples);
+    return simplified(canvas, samples);
   }
 
   double from_axis(double t) const {
@@ -107,41 +128,112 @@ public:
   }
 
 private:
+  struct Interval {
+    double error;
+    Sample a, middle, b;
+    /// The last one is halved first.
+    bool operator<(const Interval& other) const { return error != other.error ? error < other.error : a.t > other.a.t; }
+  };
+
   double to_axis(double x) const { return logarithmic_ ? std::log(x) : x; }
   Sample evaluate(double t) const { return {t, y_(from_axis(t))}; }
+  static void sort(std::vector<Sample>& samples) { std::ranges::sort(samples, {}, &Sample::t); }
 
-  void refine(const Canvas& canvas, const Sample& a, const Sample& b, int depth, std::vector<Sample>& out) const {
-    const double t = 0.5 * (a.t + b.t);
-    if (depth < 24 && b.t - a.t > 1e-7 * (high_ - low_) && (std::isfinite(a.y) || std::isfinite(b.y))) {
-      const Sample middle = evaluate(t);
-      const auto p = canvas.at(a), q = canvas.at(b), m = canvas.at(middle);
-      if (!(distance(m, p, q) <= tolerance_)) {
-        refine(canvas, a, middle, depth + 1, out);
-        refine(canvas, middle, b, depth + 1, out);
-        return;
-      }
+  void refine(const Canvas& canvas, std::vector<Sample>& samples) {
+    std::priority_queue<Interval> queue;
+    // `before`: the error of the interval of which this is a half. Halving divides the error of a smooth curve by 4;
+    // where it suddenly vanishes, the curve may cross its chord at the midpoint, and another halving tells.
+    const auto consider = [&](const Sample& a, const Sample& b, double before) {
+      if (left_ == 0 || b.t - a.t <= 1e-7 * (high_ - low_) || (!std::isfinite(a.y) && !std::isfinite(b.y))) return;
+      --left_;
+      const Sample middle = evaluate(0.5 * (a.t + b.t));
+      samples.push_back(middle);
+      const double error = canvas.error(a, middle, b);
+      if (error > tolerance_ || before > 16 * tolerance_) queue.push({error, a, middle, b});
+    };
+    const std::vector<Sample> first = samples;
+    const auto bend = [&](std::size_t k) {
+      return k > 0 && k + 1 < first.size() ? canvas.error(first[k - 1], first[k], first[k + 1]) : 0;
+    };
+    for (std::size_t k = 0; k + 1 < first.size(); ++k) consider(first[k], first[k + 1], std::max(bend(k), bend(k + 1)));
+    while (!queue.empty()) {
+      const Interval worst = queue.top();
+      queue.pop();
+      consider(worst.a, worst.middle, worst.error);
+      consider(worst.middle, worst.b, worst.error);
     }
-    out.push_back(b);
+    sort(samples);
+  }
+
+  /// Looks for a kink between each two samples: there the curve bends, and on either side it hardly does.
+  void add_kinks(const Canvas& canvas, std::vector<Sample>& samples) {
+    std::vector<std::array<double, 2>> p;
+    for (const Sample& sample : samples) p.push_back(canvas.at(sample));
+    const auto slope = [&](std::size_t k) { return (p[k + 1][1] - p[k][1]) / (p[k + 1][0] - p[k][0]); };
+    const auto bend = [&](std::size_t k) { return std::fabs((slope(k) - slope(k - 1)) / (p[k + 1][0] - p[k - 1][0])); };
+    const std::size_t count = samples.size();
+    for (std::size_t k = 2; k + 3 < count; ++k) {
+      if (p[k + 1][0] - p[k][0] < 1e-6 || !(std::fabs(slope(k + 1) - slope(k - 1)) > 0.02)) continue;
+      if (!(bend(k) + bend(k + 1) > 8 * (bend(k - 1) + bend(k + 2)))) continue;
+      if (const auto kink = kink_between(canvas, {samples[k - 1], samples[k], samples[k + 1], samples[k + 2]}))
+        samples.push_back(*kink);
+    }
+    sort(samples);
+  }
+
+  /// Where the line through the two samples on the left meets the line through the two on the right, drawn again
+  /// through ever nearer samples. Nothing where the lines lose their angle, as those of a smooth curve do.
+  std::optional<Sample> kink_between(const Canvas& canvas, std::array<Sample, 4> s) {
+    constexpr int steps = 7;
+    double first_turn = 0;
+    for (int step = 0; left_ >= 4; ++step) {
+      std::array<double, 4> v{};
+      std::ranges::transform(s, v.begin(), [&](const Sample& sample) { return canvas.at(sample)[1]; });
+      const double rise = (v[1] - v[0]) / (s[1].t - s[0].t), fall = (v[3] - v[2]) / (s[3].t - s[2].t);
+      if (step == 0) first_turn = rise - fall;
+      if (!(std::fabs(rise - fall) > 0.5 * std::fabs(first_turn))) return std::nullopt;
+      const double gap = s[2].t - s[1].t;
+      const double t = s[1].t + (v[2] - v[1] - fall * gap) / (rise - fall);
+      if (!(t > s[1].t && t < s[2].t)) return std::nullopt;
+      if (step == steps) {
+        --left_;
+        Sample kink = evaluate(t);
+        kink.is_kink = true;
+        const bool agrees = std::fabs(canvas.at(kink)[1] - v[1] - rise * (t - s[1].t)) < 1e-8;
+        return agrees ? std::optional(kink) : std::nullopt;
+      }
+      left_ -= 4;
+      s = {evaluate(t - 0.25 * gap), evaluate(t - 0.125 * gap), evaluate(t + 0.125 * gap), evaluate(t + 0.25 * gap)};
+    }
+    return std::nullopt;
   }
 
   /// Douglas and Peucker 1973, with an explicit stack.
-  static std::vector<Sample> simplified(const Canvas& canvas, const std::vector<Sample>& samples) {
+  std::vector<Sample> simplified(const Canvas& canvas, const std::vector<Sample>& samples) const {
     std::vector<bool> keep(samples.size(), false);
-    keep.front() = keep.back() = true;
-    std::vector<std::pair<std::size_t, std::size_t>> stack = {{0, samples.size() - 1}};
+    // The ends of gaps stay, and nothing of what is between them; the rest is thinned piece by piece.
+    std::vector<std::pair<std::size_t, std::size_t>> stack;
+    for (std::size_t k = 0, start = 0; k < samples.size(); ++k) {
+      const bool last = k + 1 == samples.size();
+      keep[k] = k == 0 || last || samples[k].is_kink || is_gap(samples[k]) != is_gap(samples[k + 1]) ||
+                is_gap(samples[k]) != is_gap(samples[k - 1]);
+      if (!keep[k]) continue;
+      if (!is_gap(samples[k])) stack.emplace_back(start, k);
+      start = k;
+    }
     while (!stack.empty()) {
       const auto [a, b] = stack.back();
       stack.pop_back();
-      double worst = 0;
+      double worst = 0.6 * tolerance_; // halving has left a quarter of the rest
       std::size_t at = a;
       for (std::size_t k = a + 1; k < b; ++k) {
-        const double d = distance(canvas.at(samples[k]), canvas.at(samples[a]), canvas.at(samples[b]));
-        if (std::isnan(d) || d > worst) {
-          worst = std::isnan(d) ? 1 : d;
+        const double error = canvas.error(samples[a], samples[k], samples[b]);
+        if (error > worst) {
+          worst = error;
           at = k;
         }
       }
-      if (at == a || worst <= 0.5 * tolerance_) continue;
+      if (at == a) continue;
       keep[at] = true;
       stack.emplace_back(a, at);
       stack.emplace_back(at, b);
@@ -152,11 +244,14 @@ private:
     return out;
   }
 
+  bool is_gap(const Sample& sample) const { return request_.polar ? !std::isfinite(sample.y) : std::isnan(sample.y); }
+
   static constexpr double tolerance_ = 5e-4;
   const std::function<double(double)>& y_;
   const CurveRequest& request_;
   bool logarithmic_;
   double low_, high_;
+  int left_ = 0; ///< evaluations
 };
 
 } // namespace

@@ -17,6 +17,7 @@ struct CurveRequest {
   std::vector<double> seeds; ///< values of x around which there may be something narrow
   int initial = 129;         ///< evenly spaced points to begin with
   bool adaptive = true;      ///< else the evenly spaced points are all there is
+  double noise = 0;          ///< values are known up to this: smaller bends are not drawn
 };
 
 struct Curve {
@@ -27,9 +28,13 @@ struct Curve {
 /// The points with which sampling begins: evenly spaced ones, and around each seed geometrically spaced ones.
 std::vector<double> first_points(const CurveRequest& request);
 
-/// Points of y(x) so close that the polyline through them is within 5e-4 of the curve, in units of the plot's size, as
-/// far as halving intervals shows: each is halved until its midpoint lies on the chord, down to 1e-7 of the range (so a
-/// jump is drawn as a vertical line). At the end points
+/// Beyond the first points, a curve is evaluated at most so often.
+inline constexpr int most_evaluations = 20000;
+
+/// Points of y(x) so close that the polyline through them is within 5e-4 of the plot's height above or below the curve
+/// (polar: of its radius, in any direction), as far as halving intervals shows: the interval whose midpoint lies
+/// farthest off the chord is halved first, down to 1e-7 of the range, so that a jump is drawn as a vertical line. A
+/// kink is located where the curve extended from its left meets the curve extended from its right. At the end points
 /// that the polyline does not need are dropped. Deterministic.
 Curve sample(const std::function<double(double)>& y, const CurveRequest& request);
 

@@ -100,6 +100,16 @@ void Configuration::set(const Setting& setting) {
   }
 }
 
+std::optional<double> Configuration::angle(const std::string& variable) const {
+  const auto& names = direction_variables();
+  return angle_.at(static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin()));
+}
+
+Vec2 Configuration::mean_slope() const {
+  const Values& values = material_.distribution.values;
+  return values.has("mean_slope") ? values.vec2("mean_slope") : Vec2{0, 0};
+}
+
 std::optional<Direction> Configuration::direction(std::size_t which) const {
   const auto& theta = angle_[2 * which];
   const auto& phi = angle_[2 * which + 1];
@@ -163,16 +173,18 @@ Configuration::Ready TermFunction::configure(const std::vector<double>& values) 
   return configuration.ready();
 }
 
-void TermFunction::check(const std::vector<double>& values) const {
-  const auto ready = configure(values);
+void TermFunction::require_directions(const Configuration::Ready& ready) const {
   if (integral_ && !ready.o) throw InputError("", "this quantity needs theta_o");
   if (quantity_)
     require(ready.material, quantities()[static_cast<std::size_t>(*quantity_)], ready.o.has_value(),
             ready.i.has_value(), ready.m.has_value());
 }
 
+void TermFunction::check(const std::vector<double>& values) const { require_directions(configure(values)); }
+
 double TermFunction::operator()(const std::vector<double>& values) const {
   const auto ready = configure(values);
+  require_directions(ready);
   if (integral_) return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
   return evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i, ready.m);
 }

@@ -25,8 +25,11 @@ public:
   };
   Ready ready() const;
 
-  /// Polar angle of omega_o, where it is set.
-  std::optional<double> theta_o() const { return angle_[0]; }
+  /// theta_o, phi_o, ... phi_m, where it is set.
+  std::optional<double> angle(const std::string& variable) const;
+
+  /// Slope of the mesosurface before the transformations.
+  Vec2 mean_slope() const;
 
 private:
   void set_model(const std::string& variable, const std::string& type);
@@ -59,6 +62,7 @@ public:
 
 private:
   Configuration::Ready configure(const std::vector<double>& values) const;
+  void require_directions(const Configuration::Ready& ready) const;
 
   Configuration fixed_;
   std::vector<std::string> swept_;

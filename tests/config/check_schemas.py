@@ -1,0 +1,245 @@
+"""The published JSON Schemas accept what the reader accepts and refuse what it refuses.
+
+    check_schemas.py BINARY CONFIGS   runs `BINARY schema KIND` and `BINARY validate FILE`
+
+Every file in CONFIGS, and every document below, is put both to the schema (python3-jsonschema, draft 2020-12) and to
+the reader. Faults that a schema cannot express are tested with the reader.
+"""
+
+import copy
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import jsonschema
+
+MATERIAL = {"distribution": {"type": "ggx", "alpha": 0.5}}
+FIGURE = {
+    "id": "f",
+    "kind": "lines",
+    "title": "T",
+    "caption": "C",
+    "material": MATERIAL,
+    "x": {"variable": "theta_m", "from": 0, "to": "60deg"},
+    "panels": [{"series": [{"quantity": "d"}]}],
+}
+TABLE = {
+    "id": "t",
+    "title": "T",
+    "caption": "C",
+    "maskings": ["smith"],
+    "distributions": ["ggx"],
+    "alpha": [0.5],
+    "theta_o": ["45deg", 1],
+}
+REPORT = {"title": "T", "entries": [{"section": "s", "table": TABLE}]}
+BASES = {"material": MATERIAL, "figure": FIGURE, "report": REPORT}
+GONE = object()
+
+# Kind, where, what is put there (GONE: taken away).
+GOOD = [
+    ("material", "/$schema", "https://example.org/material.json"),
+    ("material", "/name", "α"),
+    ("material", "/facet", "specular"),
+    ("material", "/distribution", {"type": "beckmann", "alpha_x": 1, "alpha_y": 2, "correlation": -0.5, "mean_slope": [0, 1]}),
+    ("material", "/distribution", {"type": "phong", "exponent": 0}),
+    ("material", "/distribution", {"type": "gtr", "alpha": 0.1, "gamma": 2}),
+    ("material", "/masking", {"type": "v_cavity"}),
+    ("material", "/shadowing", {"type": "direction_correlated", "lambda": "ginneken"}),
+    ("material", "/fresnel", {"type": "conductor", "eta": [0.1, 0.4, 1.4], "k": 2}),
+    ("figure", "/panels/0/title", "T"),
+    ("figure", "/x/from", "-90deg"),
+    ("figure", "/x/from", " -.5e-1 rad "),
+    ("figure", "/x/samples", 12.0),
+    ("figure", "/columns", 8),
+    ("figure", "/id", "fig04_a-b.c"),
+    ("figure", "/at", {"theta_o": "60deg", "phi_o": 1, "masking": "v_cavity"}),
+    ("figure", "/materials", {"any name": MATERIAL}),
+    ("figure", "/panels/0/series/0", {"absolute": {"difference": [{"quantity": "d"}, {"quantity": "d_cos"}]}}),
+    ("figure", "/panels/0/for_each", {"variable": "alpha", "values": [0.1, 1], "labels": ["a", "b"]}),
+    ("figure", "/panels/0/for_each", [{"variable": "distribution", "values": ["ggx"]}]),
+    ("report", "/introduction", "I"),
+    ("report", "/entries/0/table/tolerance", 1e-3),
+]
+
+BAD = [
+    # Unknown and missing keys
+    ("material", "/colour", 1),
+    ("material", "/distribution/alhpa", 1),
+    ("material", "/distribution/$schema", "x"),
+    ("material", "/distribution", GONE),
+    ("material", "/distribution/type", GONE),
+    ("material", "/shadowing", {"type": "direction_correlated"}),
+    ("material", "/fresnel", {"type": "schlick"}),
+    ("figure", "/colums", 2),
+    ("figure", "/id", GONE),
+    ("figure", "/panels", GONE),
+    ("figure", "/panels/0/series/0/label_", "x"),
+    ("report", "/title", GONE),
+    ("report", "/entries/0/section", GONE),
+    ("report", "/entries/0/table/alpha", GONE),
+    # Types
+    ("material", "", []),
+    ("material", "", 3),
+    ("material", "/name", 1),
+    ("material", "/distribution", "ggx"),
+    ("material", "/distribution/type", 1),
+    ("material", "/distribution/alpha", "0.5"),
+    ("material", "/distribution/alpha", None),
+    ("material", "/distribution/alpha", True),
+    ("material", "/distribution/mean_slope", [1]),
+    ("material", "/distribution/mean_slope", [1, "2"]),
+    ("material", "/fresnel", {"type": "schlick", "f0": [0.1, 0.2]}),
+    ("figure", "/columns", 1.5),
+    ("figure", "/panels", {}),
+    ("figure", "/panels", []),
+    ("figure", "/panels/0/series", []),
+    ("figure", "/panels/0/series/0/quantity", 1),
+    ("figure", "/panels/0/for_each", {"variable": "alpha", "values": []}),
+    ("figure", "/panels/0/for_each", {"variable": "alpha", "values": [[1]]}),
+    ("figure", "/at", {"theta_o": [1]}),
+    ("figure", "/x/from", "60"),
+    ("figure", "/x/from", "1.2.3deg"),
+    ("figure", "/x/from", "sixty deg"),
+    ("figure", "/material", 3),
+    ("report", "/entries", []),
+    ("report", "/entries/0", "figure.json"),
+    # Names
+    ("material", "/distribution/type", "gxx"),
+    ("material", "/facet", "diffuse"),
+    ("material", "/masking", {"type": "smiht"}),
+    ("material", "/shadowing", {"type": "direction_correlated", "lambda": "heitz2013"}),
+    ("figure", "/kind", "pie"),
+    ("figure", "/id", "../x"),
+    ("figure", "/id", ""),
+    ("figure", "/id", "a/b"),
+    ("figure", "/id", ".hidden"),
+    ("figure", "/x/unit", "degree"),
+    ("report", "/entries/0/table/id", "../x"),
+    ("report", "/entries/0/table/maskings", ["smiht"]),
+    # Bounds
+    ("material", "/distribution/alpha", 0),
+    ("material", "/distribution/alpha", -1),
+    ("material", "/distribution/correlation", 1),
+    ("material", "/distribution", {"type": "phong", "exponent": -1}),
+    ("material", "/fresnel", {"type": "dielectric", "eta": 0}),
+    ("material", "/fresnel", {"type": "dielectric", "eta": [1.5, 1.5, 0]}),
+    ("material", "/fresnel", {"type": "schlick", "f0": 1.1}),
+    ("figure", "/columns", 0),
+    ("figure", "/tolerance", 0),
+    ("figure", "/cells", 1),
+    ("figure", "/x/samples", 1),
+    ("report", "/entries/0/table/alpha", [0]),
+    # Alternatives
+    ("material", "/distribution/alpha", GONE),
+    ("material", "/distribution/alpha_x", 1),
+    ("material", "/distribution", {"type": "ggx", "alpha_x": 1}),
+    ("material", "/distribution", {"type": "ggx", "alpha": 1, "alpha_x": 1, "alpha_y": 1}),
+    ("material", "/distribution", {"type": "phong", "exponent": 1, "alpha": 1}),
+    ("figure", "/panels/0/series/0", {}),
+    ("figure", "/panels/0/series/0/absolute", {"quantity": "d"}),
+    ("figure", "/panels/0/series/0", {"ratio": [{"quantity": "d"}]}),
+    ("report", "/entries/0/figure", "f.json"),
+    # References that are none
+    ("material", "/distribution", {"$ref": 1}),
+    ("material", "/distribution", {"$ref": "#distribution"}),
+    ("material", "/name", {"$ref": "other.json", "extra": 1}),
+]
+
+# A reference may stand for any value: in objects, in arrays and in maps.
+REFERENCES = [
+    ("material", "/distribution", MATERIAL["distribution"]),
+    ("material", "/distribution/alpha", 0.5),
+    ("material", "/distribution/mean_slope", [0, 0]),
+    ("figure", "/panels", FIGURE["panels"]),
+    ("figure", "/panels/0", FIGURE["panels"][0]),
+    ("figure", "/panels/0/series/0", {"quantity": "d"}),
+    ("figure", "/x/from", 0),
+    ("figure", "/materials", {"one": MATERIAL}),
+    ("figure", "/materials/one", MATERIAL),
+    ("figure", "/at/theta_o", 1),
+    ("report", "/entries/0", REPORT["entries"][0]),
+    ("report", "/entries/0/table", TABLE),
+    ("report", "/entries/0/table/theta_o/1", 1),
+]
+
+
+def changed(document, pointer, value):
+    """A copy of a document with one value replaced; objects on the way are made."""
+    if not pointer:
+        return copy.deepcopy(value)
+    out = copy.deepcopy(document)
+    *steps, last = pointer.split("/")[1:]
+    at = out
+    for step in steps:
+        at = at[int(step)] if isinstance(at, list) else at.setdefault(step, {})
+    last = int(last) if isinstance(at, list) else last
+    if value is GONE:
+        del at[last]
+    else:
+        at[last] = copy.deepcopy(value)
+    return out
+
+
+class Checker:
+    def __init__(self, binary: Path, folder: Path):
+        self.binary = binary
+        self.folder = folder
+        self.faults = []
+        self.validators = {}
+        for kind in BASES:
+            text = subprocess.run([binary, "schema", kind], check=True, capture_output=True, text=True).stdout
+            schema = json.loads(text)
+            jsonschema.Draft202012Validator.check_schema(schema)
+            self.validators[kind] = jsonschema.Draft202012Validator(schema)
+
+    def reader_accepts(self, path: Path) -> bool:
+        run = subprocess.run([self.binary, "validate", path], capture_output=True, text=True)
+        if run.returncode not in (0, 2) or run.stderr.count("\n") > 1:
+            self.faults.append(f"{path}: exit code {run.returncode}: {run.stderr}")
+        return run.returncode == 0
+
+    def check(self, name: str, kind: str, document, expected: bool, path: Path | None = None):
+        if path is None:
+            path = self.folder / "document.json"
+            path.write_text(json.dumps(document), encoding="utf-8")
+        for who, accepts in [("schema", self.validators[kind].is_valid(document)), ("reader", self.reader_accepts(path))]:
+            if accepts != expected:
+                self.faults.append(f"{name}: the {who} {'accepts' if accepts else 'refuses'} it")
+
+
+def main(binary: Path, configs: Path) -> int:
+    with tempfile.TemporaryDirectory() as folder:
+        checker = Checker(binary, Path(folder))
+        count = 0
+        for kind in BASES:
+            files = sorted((configs / f"{kind}s").glob("*.json"))
+            if not files:
+                checker.faults.append(f"no {kind} in {configs}")
+            for file in files:
+                checker.check(str(file), kind, json.loads(file.read_text(encoding="utf-8")), True, file)
+                count += 1
+        for kind, document in BASES.items():
+            checker.check(kind, kind, document, True)
+        for cases, expected in [(GOOD, True), (BAD, False)]:
+            for kind, pointer, value in cases:
+                shown = "gone" if value is GONE else json.dumps(value)
+                checker.check(f"{kind} {pointer} = {shown}", kind, changed(BASES[kind], pointer, value), expected)
+                count += 1
+        for kind, pointer, value in REFERENCES:
+            (Path(folder) / "other.json").write_text(json.dumps({"value": value}), encoding="utf-8")
+            document = changed(changed(BASES[kind], pointer, value), pointer, {"$ref": "other.json#/value"})
+            checker.check(f"reference at {kind} {pointer}", kind, document, True)
+            count += 1
+    for fault in checker.faults:
+        print(fault)
+    print(f"{count} documents, {len(checker.faults)} faults")
+    return 1 if checker.faults else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
