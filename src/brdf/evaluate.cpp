@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <type_traits>
 
 namespace brdfplot {
 
@@ -14,59 +15,75 @@ constexpr std::size_t block_size = 256;
 using Buffer = std::array<double, block_size>;
 
 struct Side {
-  Buffer c, u, t; ///< projected area, c / G1, c Lambda
+  Buffer c, s, u, t; ///< projected area, projected roughness, c / G1, c Lambda
 };
 
 struct Block {
   std::size_t n = 0;
-  std::array<Direction, block_size> o, i, m;
-  Buffer o_dot_m;
+  Columns o, i, m; ///< of the batch, from the first row of the block on; m may be `half`
+  Buffer half_x, half_y, half_z;
   Side viewer, light;
-  Buffer azimuth, density, visibility;
+  Buffer density, visibility;
 };
 
-void load(std::array<Direction, block_size>& to, const Columns& from, std::size_t first, std::size_t n) {
-  for (std::size_t k = 0; k < n; ++k) to[k] = {from.x[first + k], from.y[first + k], from.z[first + k]};
+kernels::Vectors<double> vectors(const Columns& columns) { return {columns.x, columns.y, columns.z}; }
+
+Direction at(const Columns& columns, std::size_t k) { return {columns.x[k], columns.y[k], columns.z[k]}; }
+
+Columns from_row(const Columns& columns, std::size_t first) {
+  return columns ? Columns{columns.x + first, columns.y + first, columns.z + first} : Columns{};
 }
 
-/// Directions of the block; m is the half vector where none is given but i is.
-void load(Block& block, const Batch& batch, std::size_t first, std::size_t n) {
-  block.n = n;
-  if (batch.o) load(block.o, batch.o, first, n);
-  if (batch.i) load(block.i, batch.i, first, n);
-  if (batch.m) {
-    load(block.m, batch.m, first, n);
-  } else if (batch.o && batch.i) {
-    for (std::size_t k = 0; k < n; ++k) block.m[k] = half_vector(block.o[k], block.i[k]);
-  } else {
-    for (std::size_t k = 0; k < n; ++k) block.m[k] = {0, 0, 1};
+void halve(Block& block) {
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const double x = block.o.x[k] + block.i.x[k];
+    const double y = block.o.y[k] + block.i.y[k];
+    const double z = block.o.z[k] + block.i.z[k];
+    const double norm2 = x * x + y * y + z * z; // of unit vectors: 0 or no less than 1e-33
+    const double scale = norm2 > 0 ? 1 / std::sqrt(norm2) : 0;
+    block.half_x[k] = x * scale;
+    block.half_y[k] = y * scale;
+    block.half_z[k] = z * scale;
   }
+  block.m = {block.half_x.data(), block.half_y.data(), block.half_z.data()};
 }
 
-/// c, u and t of one side. `facing`: the normal is taken to face the direction (no m given).
-void mask(const Material& material, Block& block, const std::array<Direction, block_size>& omega, Side& side) {
+/// Directions of the block; m is the half vector where none is given but i is, else the normal.
+void load(Block& block, const Batch& batch, std::size_t first) {
+  block.n = std::min(block_size, batch.n - first);
+  block.o = from_row(batch.o, first);
+  block.i = from_row(batch.i, first);
+  block.m = from_row(batch.m, first);
+  if (batch.m) return;
+  if (batch.o && batch.i) return halve(block);
+  block.half_x.fill(0);
+  block.half_y.fill(0);
+  block.half_z.fill(1);
+  block.m = {block.half_x.data(), block.half_y.data(), block.half_z.data()};
+}
+
+/// c, s, u and t of one side. t is 0 and u meaningless where c <= 0.
+void mask(const Material& material, const Block& block, const Columns& omega, Side& side) {
+  const std::size_t n = block.n;
+  kernels::project(material.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), n);
   std::visit(
       [&](const auto& distribution, const auto& masking) {
-        for (std::size_t k = 0; k < block.n; ++k) {
-          const Projection p = distribution.slopes.project(omega[k]);
-          side.c[k] = p.c;
-          side.t[k] = 0;
-          side.u[k] = 1;
-          if (!(p.c > 0)) continue;
-          if constexpr (std::remove_cvref_t<decltype(masking)>::has_lambda) {
-            // Integrals hold one direction fixed, and Lambda may itself be an integral.
-            const bool repeated = k > 0 && omega[k].x == omega[k - 1].x && omega[k].y == omega[k - 1].y &&
-                                  omega[k].z == omega[k - 1].z;
-            side.t[k] = repeated ? side.t[k - 1] : masking.masked_area(distribution, p, omega[k]);
-            side.u[k] = p.c + side.t[k];
-          } else {
-            const Direction& m = block.m[k];
-            const double facing = dot(omega[k], m);
-            if (facing > 0 && m.z > 0) side.u[k] = masking.unmasked_area(p, facing, m.z);
+        if constexpr (requires {
+                        masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
+                      }) {
+          masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
+        } else if constexpr (std::remove_cvref_t<decltype(masking)>::has_lambda) {
+          for (std::size_t k = 0; k < n; ++k) side.t[k] = masking.masked_area({side.c[k], side.s[k]}, at(omega, k));
+        } else {
+          for (std::size_t k = 0; k < n; ++k) {
+            const double facing = dot(at(omega, k), at(block.m, k));
+            side.u[k] = facing > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing, block.m.z[k]) : 1;
           }
         }
       },
       material.distribution, material.masking);
+  if (!material.has_lambda()) return;
+  for (std::size_t k = 0; k < n; ++k) side.u[k] = side.c[k] + side.t[k];
 }
 
 /// phi_o - phi_i wrapped to [0, pi]; 0 where one of them is at the normal.
@@ -80,41 +97,34 @@ void shadow(const Material& material, Block& block) {
   mask(material, block, block.i, block.light);
   std::visit(
       [&](const auto& shadowing) {
+        const Side& v = block.viewer;
+        const Side& l = block.light;
         for (std::size_t k = 0; k < block.n; ++k) {
-          const MaskedPair pair{block.viewer.c[k],
-                                block.viewer.u[k],
-                                block.viewer.t[k],
-                                block.light.c[k],
-                                block.light.u[k],
-                                block.light.t[k],
-                                azimuth_difference(block.o[k], block.i[k])};
-          const bool lit = pair.c_o > 0 && pair.c_i > 0 && dot(block.o[k], block.m[k]) > 0 &&
-                           dot(block.i[k], block.m[k]) > 0 && block.m[k].z > 0;
-          block.visibility[k] = lit ? shadowing.visibility(pair) : 0;
+          const Direction o = at(block.o, k), i = at(block.i, k), m = at(block.m, k);
+          double azimuth = 0;
+          if constexpr (std::remove_cvref_t<decltype(shadowing)>::needs_azimuth) azimuth = azimuth_difference(o, i);
+          const bool lit = v.c[k] > 0 && l.c[k] > 0 && dot(o, m) > 0 && dot(i, m) > 0 && m.z > 0;
+          const double visibility = shadowing.visibility({v.c[k], v.u[k], v.t[k], l.c[k], l.u[k], l.t[k], azimuth});
+          block.visibility[k] = lit ? visibility : 0;
         }
       },
       material.shadowing);
 }
 
 void normals(const Material& material, Block& block) {
-  std::visit(
-      [&](const auto& distribution) {
-        for (std::size_t k = 0; k < block.n; ++k) block.density[k] = distribution.density(block.m[k]);
-      },
-      material.distribution);
+  std::visit([&](const auto& distribution) { distribution.densities(vectors(block.m), block.density.data(), block.n); },
+             material.distribution);
 }
 
 /// Multiplies `value` by F(o.m) into the channels of `out`, n apart.
 void colour(const Material& material, const Block& block, const Buffer& value, std::size_t stride, double* out) {
-  const int channels = material.channels();
+  const auto channels = static_cast<std::size_t>(material.channels());
   std::visit(
       [&](const auto& fresnel) {
         for (std::size_t k = 0; k < block.n; ++k) {
-          const Rgb f = fresnel.reflectance(std::max(0.0, dot(block.o[k], block.m[k])));
-          for (int channel = 0; channel < channels; ++channel) {
-            const auto index = static_cast<std::size_t>(channel);
-            out[index * stride + k] = value[k] == 0 ? 0 : f[index] * value[k];
-          }
+          const Rgb f = fresnel.reflectance(std::max(0.0, dot(at(block.o, k), at(block.m, k))));
+          for (std::size_t channel = 0; channel < channels; ++channel)
+            out[channel * stride + k] = value[k] == 0 ? 0 : f[channel] * value[k];
         }
       },
       material.fresnel);
@@ -126,8 +136,8 @@ void evaluate_masking(const Material& material, Quantity quantity, bool has_m, B
   if (quantity == Quantity::d_visible) normals(material, block);
   const Side& v = block.viewer;
   for (std::size_t k = 0; k < block.n; ++k) {
-    const double facing = dot(block.o[k], block.m[k]);
-    const bool seen = v.c[k] > 0 && ((facing > 0 && block.m[k].z > 0) || !has_m);
+    const double facing = dot(at(block.o, k), at(block.m, k));
+    const bool seen = v.c[k] > 0 && ((facing > 0 && block.m.z[k] > 0) || !has_m);
     if (quantity == Quantity::lambda)
       out[k] = v.c[k] > 0 ? v.t[k] / v.c[k] : infinity;
     else if (quantity == Quantity::g1)
@@ -143,7 +153,7 @@ void evaluate_normal(const Material& material, Quantity quantity, Block& block, 
     std::visit(
         [&](const auto& distribution) {
           for (std::size_t k = 0; k < block.n; ++k) {
-            const Direction& m = block.m[k];
+            const Direction m = at(block.m, k);
             out[k] = m.z > 0 ? distribution.p22(-m.x / m.z, -m.y / m.z) : 0;
           }
         },
@@ -152,7 +162,39 @@ void evaluate_normal(const Material& material, Quantity quantity, Block& block, 
   }
   normals(material, block);
   for (std::size_t k = 0; k < block.n; ++k)
-    out[k] = block.density[k] == 0 ? 0 : block.density[k] * (quantity == Quantity::d_cos ? block.m[k].z : 1);
+    out[k] = block.density[k] == 0 ? 0 : block.density[k] * (quantity == Quantity::d_cos ? block.m.z[k] : 1);
+}
+
+using WholeKernel = std::pair<kernels::Distribution, kernels::Shadowing>;
+
+/// The kernel that computes the whole BRDF of a material but its Fresnel term, where there is one.
+std::optional<WholeKernel> whole_kernel(const Material& material) {
+  const auto* smith = std::get_if<Smith>(&material.masking);
+  if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return std::nullopt;
+  return std::visit(
+      []<class D, class S>(const D&, const S&) -> std::optional<WholeKernel> {
+        if constexpr (requires { WholeKernel(D::UnitShape::kernel, S::kernel); })
+          return WholeKernel(D::UnitShape::kernel, S::kernel);
+        else
+          return std::nullopt;
+      },
+      material.distribution, material.shadowing);
+}
+
+/// brdf and brdf_cos by the whole kernel.
+void evaluate_whole(const Material& material, const WholeKernel& kernel, Quantity quantity, Block& block,
+                    std::size_t stride, double* out) {
+  const kernels::Stretch stretch = material.slopes().stretch();
+  Buffer value;
+  kernels::brdf(stretch, kernel.first, kernel.second, vectors(block.o), vectors(block.i), value.data(), block.n);
+  if (quantity == Quantity::brdf_cos) {
+    kernels::project(stretch, vectors(block.i), block.light.c.data(), block.light.s.data(), block.n);
+    for (std::size_t k = 0; k < block.n; ++k) value[k] *= std::max(0.0, block.light.c[k]);
+  }
+  if (std::holds_alternative<NoFresnel>(material.fresnel))
+    std::copy_n(value.data(), block.n, out);
+  else
+    colour(material, block, value, stride, out);
 }
 
 /// Quantities of both directions: g2, brdf, brdf_cos.
@@ -211,9 +253,10 @@ void require(const Material& material, const QuantityInfo& info, bool has_o, boo
 void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out) {
   require(material, quantities()[static_cast<std::size_t>(quantity)], bool(batch.o), bool(batch.i), bool(batch.m));
   const bool has_m = batch.m || (batch.o && batch.i);
+  const auto kernel = batch.m ? std::nullopt : whole_kernel(material);
   Block block;
   for (std::size_t first = 0; first < batch.n; first += block_size) {
-    load(block, batch, first, std::min(block_size, batch.n - first));
+    load(block, batch, first);
     double* to = out + first;
     switch (quantity) {
     case Quantity::lambda:
@@ -228,9 +271,14 @@ void evaluate(const Material& material, Quantity quantity, const Batch& batch, d
       colour(material, block, ones, batch.n, to);
       break;
     }
-    case Quantity::g2:
+    case Quantity::g2: evaluate_pair(material, quantity, block, batch.n, to); break;
     case Quantity::brdf:
-    case Quantity::brdf_cos: evaluate_pair(material, quantity, block, batch.n, to); break;
+    case Quantity::brdf_cos:
+      if (kernel)
+        evaluate_whole(material, *kernel, quantity, block, batch.n, to);
+      else
+        evaluate_pair(material, quantity, block, batch.n, to);
+      break;
     }
   }
 }

@@ -1,8 +1,9 @@
 /// \file
 /// The list of masking functions. A new one is one file in masking/ and one line here.
 ///
-/// Each has either (`has_lambda`) `masked_area(distribution, projection, omega)` = c Lambda, independent of the normal,
-/// or `unmasked_area(projection, o_dot_m, z_m)` = c / G1. Both are finite at grazing, where Lambda is not.
+/// Each has either (`has_lambda`) c Lambda, independent of the normal, as `masked_area(projection, omega)` or, over
+/// arrays, `masked_areas(distribution, c, s, t, n)`, or `unmasked_area(projection, o_dot_m, z_m)` = c / G1. Both are
+/// finite at grazing, where Lambda is not.
 #pragma once
 
 #include "microfacet/masking/implicit.hpp"

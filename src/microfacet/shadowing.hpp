@@ -1,8 +1,10 @@
 /// \file
 /// The joint masking-shadowing function G2 (Heitz 2014, section 6), written as V = G2 / (c_o c_i): the form in which
-/// the BRDF needs it and in which nothing is 0 / 0 at grazing. The list of types is at the end.
+/// the BRDF needs it and in which nothing is 0 / 0 at grazing. The list of types is at the end. `kernel`, where a type
+/// has it, names the form in which the batch kernels know it.
 #pragma once
 
+#include "math/kernels/kernels.hpp"
 #include "microfacet/parameters.hpp"
 
 #include <algorithm>
@@ -49,6 +51,8 @@ struct NoShadowing {
   }
   static NoShadowing from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
+  static constexpr bool needs_azimuth = false;
+  static constexpr kernels::Shadowing kernel = kernels::Shadowing::none;
   double visibility(const MaskedPair& p) const { return 1 / (p.c_i * p.u_o); }
 };
 
@@ -58,6 +62,8 @@ struct Separable {
   }
   static Separable from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
+  static constexpr bool needs_azimuth = false;
+  static constexpr kernels::Shadowing kernel = kernels::Shadowing::separable;
   double visibility(const MaskedPair& p) const { return 1 / (p.u_o * p.u_i); }
 };
 
@@ -69,6 +75,8 @@ struct Minimum {
   }
   static Minimum from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
+  static constexpr bool needs_azimuth = false;
+  static constexpr kernels::Shadowing kernel = kernels::Shadowing::minimum;
   double visibility(const MaskedPair& p) const { return minimum_visibility(p); }
 };
 
@@ -80,6 +88,8 @@ struct HeightCorrelated {
   }
   static HeightCorrelated from(const Values&) { return {}; }
   static constexpr bool needs_lambda = true;
+  static constexpr bool needs_azimuth = false;
+  static constexpr kernels::Shadowing kernel = kernels::Shadowing::height_correlated;
   double visibility(const MaskedPair& p) const { return 1 / (p.c_o * p.c_i + p.c_i * p.t_o + p.c_o * p.t_i); }
 };
 
@@ -94,6 +104,7 @@ struct DirectionCorrelated {
   }
   static DirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
   static constexpr bool needs_lambda = false;
+  static constexpr bool needs_azimuth = true;
   double visibility(const MaskedPair& p) const {
     const double factor = direction_factor(lambda, p.azimuth_difference);
     return factor / (p.u_o * p.u_i) + (1 - factor) * minimum_visibility(p);
@@ -111,6 +122,7 @@ struct HeightDirectionCorrelated {
   }
   static HeightDirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
   static constexpr bool needs_lambda = true;
+  static constexpr bool needs_azimuth = true;
   double visibility(const MaskedPair& p) const {
     const double o = p.c_i * p.t_o;
     const double i = p.c_o * p.t_i;

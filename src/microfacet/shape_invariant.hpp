@@ -4,13 +4,17 @@
 
 #include "microfacet/slopes.hpp"
 
+#include <cstddef>
+
 namespace brdfplot {
 
 /// A distribution made of a unit-roughness shape and a map of slopes. `Shape` has, all static:
 /// - `ModelSpec about()`: type, doc and source;
 /// - `double density(double t2)`: slope density at squared norm t2, Eq. 65 with alpha = 1;
 /// - `double scaled_density(double n2, double z2)`: density(n2 / z2) / z2^2, finite for z2 -> 0;
-/// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity].
+/// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity];
+/// - where there are kernels for it: `masked_areas` and `densities`, the same over arrays, and `kernel`, its name
+/// there.
 template <class Shape>
 struct ShapeInvariant {
   SlopeMap slopes;
@@ -23,6 +27,7 @@ struct ShapeInvariant {
   }
   static ShapeInvariant from(const Values& values) { return {SlopeMap::from(values)}; }
   static constexpr bool shape_invariant = true;
+  using UnitShape = Shape;
 
   /// P22 at a slope (Eqs. 74, 95; 1).
   double p22(double slope_x, double slope_y) const {
@@ -37,6 +42,22 @@ struct ShapeInvariant {
 
   /// c Lambda(a) = s a Lambda(a), the area that the masked facets project; finite at grazing, 0 at the normal. c >= 0.
   double masked_area(const Projection& p) const { return p.s > 0 ? p.s * Shape::a_lambda(p.c / p.s) : 0; }
+
+  /// masked_area() of n projections.
+  void masked_areas(const double* c, const double* s, double* t, std::size_t n) const {
+    if constexpr (requires { Shape::masked_areas(c, s, t, n); })
+      Shape::masked_areas(c, s, t, n);
+    else
+      for (std::size_t k = 0; k < n; ++k) t[k] = masked_area({c[k], s[k]});
+  }
+
+  /// density() of n normals.
+  void densities(const kernels::Vectors<double>& m, double* d, std::size_t n) const {
+    if constexpr (requires { Shape::densities(slopes.stretch(), m, d, n); })
+      Shape::densities(slopes.stretch(), m, d, n);
+    else
+      for (std::size_t k = 0; k < n; ++k) d[k] = density({m.x[k], m.y[k], m.z[k]});
+  }
 };
 
 } // namespace brdfplot

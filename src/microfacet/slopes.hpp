@@ -4,6 +4,7 @@
 #pragma once
 
 #include "math/direction.hpp"
+#include "math/kernels/kernels.hpp"
 #include "microfacet/parameters.hpp"
 
 #include <cmath>
@@ -45,6 +46,9 @@ struct SlopeMap {
     const double w = (v - correlation * u) / decorrelation();
     return u * u + w * w;
   }
+
+  /// As the kernels want it.
+  kernels::Stretch stretch() const { return {alpha_x, alpha_y, correlation, mean_x, mean_y}; }
 
   bool centred() const { return mean_x == 0 && mean_y == 0; }
 

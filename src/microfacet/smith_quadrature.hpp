@@ -2,6 +2,7 @@
 /// Smith's Lambda of any isotropic distribution of slopes, by quadrature.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 namespace brdfplot {
@@ -15,5 +16,14 @@ namespace brdfplot {
 /// mu^3 would overflow soon.
 /// \throws AccuracyError when the estimate is not below 1e-10.
 double mu_lambda_by_quadrature(const std::function<double(double r2)>& log_p22_of_r2, double mu, double scale);
+
+/// masked_area() of n projections; an integral is not computed twice in a row, since many rows share one direction.
+template <class D>
+void masked_areas_by_quadrature(const D& distribution, const double* c, const double* s, double* t, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool repeated = k > 0 && c[k] == c[k - 1] && s[k] == s[k - 1];
+    t[k] = repeated ? t[k - 1] : distribution.masked_area({c[k], s[k]});
+  }
+}
 
 } // namespace brdfplot

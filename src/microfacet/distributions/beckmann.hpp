@@ -28,6 +28,14 @@ struct BeckmannShape {
 
   /// a Lambda(a) of Eq. 69; see beckmann_lambda.hpp for the form that does not cancel.
   static double a_lambda(double a) { return beckmann_a_lambda(a); }
+
+  static constexpr kernels::Distribution kernel = kernels::Distribution::beckmann;
+  static void masked_areas(const double* c, const double* s, double* t, std::size_t n) {
+    kernels::masked_area_beckmann(c, s, t, n);
+  }
+  static void densities(const kernels::Stretch& stretch, const kernels::Vectors<double>& m, double* d, std::size_t n) {
+    kernels::d_beckmann(stretch, m, d, n);
+  }
 };
 
 using Beckmann = ShapeInvariant<BeckmannShape>;

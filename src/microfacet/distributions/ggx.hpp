@@ -25,6 +25,14 @@ struct GgxShape {
   /// a Lambda(a) = 1 / (2 (a + sqrt(1 + a^2))): Eq. 72 without the difference that cancels for large a, and without the
   /// 1/a that is infinite at grazing. hypot keeps a^2 from overflowing.
   static double a_lambda(double a) { return 0.5 / (a + std::hypot(1.0, a)); }
+
+  static constexpr kernels::Distribution kernel = kernels::Distribution::ggx;
+  static void masked_areas(const double* c, const double* s, double* t, std::size_t n) {
+    kernels::masked_area_ggx(c, s, t, n);
+  }
+  static void densities(const kernels::Stretch& stretch, const kernels::Vectors<double>& m, double* d, std::size_t n) {
+    kernels::d_ggx(stretch, m, d, n);
+  }
 };
 
 using Ggx = ShapeInvariant<GgxShape>;

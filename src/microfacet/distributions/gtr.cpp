@@ -1,7 +1,5 @@
 #include "microfacet/distributions/gtr.hpp"
 
-#include "microfacet/smith_quadrature.hpp"
-
 #include <numbers>
 
 namespace brdfplot {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "microfacet/slopes.hpp"
+#include "microfacet/smith_quadrature.hpp"
 
 namespace brdfplot {
 
@@ -22,6 +23,13 @@ struct Gtr {
   double density(const Direction& omega_m) const;
   /// c Lambda with Lambda by quadrature of these slopes; relative error 1e-10. Domain c > 0 (0 elsewhere).
   double masked_area(const Projection& p) const;
+
+  void masked_areas(const double* c, const double* s, double* t, std::size_t n) const {
+    masked_areas_by_quadrature(*this, c, s, t, n);
+  }
+  void densities(const kernels::Vectors<double>& m, double* d, std::size_t n) const {
+    for (std::size_t k = 0; k < n; ++k) d[k] = density({m.x[k], m.y[k], m.z[k]});
+  }
 
 private:
   double log_p22(double r2) const; ///< ln P22 at squared slope r2

@@ -1,7 +1,5 @@
 #include "microfacet/distributions/phong.hpp"
 
-#include "microfacet/smith_quadrature.hpp"
-
 #include <numbers>
 
 namespace brdfplot {

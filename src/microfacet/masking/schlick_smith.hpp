@@ -24,8 +24,7 @@ struct SchlickSmith {
   static constexpr bool has_lambda = true;
 
   /// Lambda = 1 / g, so c Lambda = s / (sqrt(pi) (1 + erf a)).
-  template <class D>
-  double masked_area(const D&, const Projection& p, const Direction&) const {
+  double masked_area(const Projection& p, const Direction&) const {
     return p.s > 0 ? p.s / (sqrt_pi * (1 + std::erf(p.c / p.s))) : 0;
   }
 };
@@ -43,8 +42,7 @@ struct SchlickSmithRational {
 
   /// v is the cosine after the vertical shear that levels the mesosurface, c / n with n^2 = x^2 + y^2 + c^2. Then
   /// c Lambda = k (n - c) with k = s / (sqrt(pi) h), h^2 = x^2 + y^2, and n - c = h^2 / (n + c).
-  template <class D>
-  double masked_area(const D&, const Projection& p, const Direction& omega) const {
+  double masked_area(const Projection& p, const Direction& omega) const {
     const double h = std::hypot(omega.x, omega.y);
     return p.s * h / (sqrt_pi * (std::hypot(h, p.c) + p.c));
   }

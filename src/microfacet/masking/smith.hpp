@@ -30,12 +30,14 @@ struct Smith {
   }
   static constexpr bool has_lambda = true;
 
-  /// c Lambda.
+  /// c Lambda over arrays.
   template <class D>
-  double masked_area(const D& distribution, const Projection& p, const Direction&) const {
-    if (lambda_of == LambdaOf::itself || !(p.s > 0)) return distribution.masked_area(p);
-    const double a = p.c / p.s;
-    return p.s * (lambda_of == LambdaOf::beckmann ? BeckmannShape::a_lambda(a) : GgxShape::a_lambda(a));
+  void masked_areas(const D& distribution, const double* c, const double* s, double* t, std::size_t n) const {
+    switch (lambda_of) {
+    case LambdaOf::itself: return distribution.masked_areas(c, s, t, n);
+    case LambdaOf::beckmann: return BeckmannShape::masked_areas(c, s, t, n);
+    case LambdaOf::ggx: return GgxShape::masked_areas(c, s, t, n);
+    }
   }
 };
 

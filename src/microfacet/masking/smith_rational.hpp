@@ -6,11 +6,9 @@
 
 namespace brdfplot {
 
-/// a Lambda(a) of the fit: (1 - 1.259 a + 0.396 a^2) / (3.535 + 2.181 a) for a < 1.6, else 0. Relative error of
-/// G1 <= 0.313 %, of Lambda itself 4.6 % for a < 1 and over 100 % near a = 1.6, where it is negative (to -6e-5).
-inline double walter_a_lambda(double a) { return a < 1.6 ? (1 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0; }
-
-/// The fit of Beckmann's Lambda whatever the distribution is, at its (equivalent) roughness.
+/// The fit of Beckmann's Lambda, whatever the distribution is, at its (equivalent) roughness:
+/// a Lambda = (1 - 1.259 a + 0.396 a^2) / (3.535 + 2.181 a) for a < 1.6, else 0. Relative error of G1 <= 0.313 %, of
+/// Lambda itself 4.6 % for a < 1 and over 100 % near a = 1.6, where it is negative (to -6e-5).
 struct SmithRational {
   static ModelSpec spec() {
     return {.type = "smith_rational",
@@ -20,9 +18,10 @@ struct SmithRational {
   static SmithRational from(const Values&) { return {}; }
   static constexpr bool has_lambda = true;
 
+  /// c Lambda over arrays.
   template <class D>
-  double masked_area(const D&, const Projection& p, const Direction&) const {
-    return p.s > 0 ? p.s * walter_a_lambda(p.c / p.s) : 0;
+  void masked_areas(const D&, const double* c, const double* s, double* t, std::size_t n) const {
+    kernels::masked_area_beckmann_walter(c, s, t, n);
   }
 };
 
