@@ -84,8 +84,11 @@ std::string table_csv(const std::vector<PropertyRow>& rows) {
     for (const Residual* residual : residuals)
       (out += "," + format_number(residual->max_residual) + ",").append(word(residual->verdict));
     (out += ',').append(word(verdict_of(row)));
+    // Where the largest of residuals that are rounding stands is chance, and would change from machine to machine.
     for (const Residual* residual : residuals)
-      out += "," + format_number(residual->alpha) + "," + format_number(residual->theta_o);
+      out += residual->verdict == Verdict::holds
+                 ? ",,"
+                 : "," + format_number(residual->alpha) + "," + format_number(residual->theta_o);
     out += '\n';
   }
   return out;

@@ -5,7 +5,8 @@
 
 In README.md, in every ```sh and ```console block:
 - a line that starts with "$ " is a command (a trailing backslash continues it); the lines up to the next command are its
-  output, both streams, exactly, except that a line "..." stands for any number of lines;
+  output, both streams, exactly, except that a line "..." stands for any number of lines,
+  and that numbers may differ by 1e-9 (last digits change with the processor's instruction set);
 - a block without "$ " is a script, one command a line, whose output is not compared;
 - commands run in order, in one scratch folder that has configs/ and reports/, and must exit with 0 (`; echo $?` shows
   another code); what SKIPPED names is for the reader's machine and is not run.
@@ -81,10 +82,23 @@ def examples_of_block(file: str, first_line: int, content: str) -> list[Example]
     return examples
 
 
+NUMBER = re.compile(r"-?\d+\.\d+(?:e[-+]?\d+)?|-?\d+e[-+]?\d+")
+
+
+def same_line(expected: str, actual: str) -> bool:
+    if NUMBER.sub("#", expected) != NUMBER.sub("#", actual):
+        return expected == actual
+    pairs = zip(NUMBER.findall(expected), NUMBER.findall(actual), strict=True)
+    return all(abs(float(a) - float(b)) <= 1e-9 * max(1, abs(float(a))) for a, b in pairs)
+
+
 def matches(expected: list[str], actual: list[str]) -> bool:
-    """Whether the lines agree, a line "..." standing for any number of lines."""
-    pattern = "".join(r"(?:.*\n)*" if line.strip() == "..." else re.escape(line) + r"\n" for line in expected)
-    return re.fullmatch(pattern, "".join(line + "\n" for line in actual)) is not None
+    """Whether the lines are the same, "..." among the expected ones standing for any number of lines."""
+    if not expected:
+        return not actual
+    if expected[0].strip() == "...":
+        return any(matches(expected[1:], actual[k:]) for k in range(len(actual) + 1))
+    return bool(actual) and same_line(expected[0], actual[0]) and matches(expected[1:], actual[1:])
 
 
 def run(command: str, folder: Path, brdfplot: Path) -> tuple[int, str]:
