@@ -69,7 +69,7 @@ TEST_CASE("figures that fail leave the folder as it was") {
   // Beckmann's Lambda is not that accurate.
   folder.write("fine.json", figure("two", "furnace", "beckmann", "1e-13"));
   check_error(folder, "brdfplot plot a.json fine.json -o out", 4,
-              {"two, series \"curve\": furnace: reached an error estimate of ", "(asked: 1e-13)"});
+              {"brdfplot: error: two, ", "series \"curve\": furnace: reached an error estimate of ", "(asked: 1e-13)"});
   CHECK(folder.list("out") == std::vector<std::string>{"one.csv"});
   CHECK(folder.read("out/one.csv") == "as it was");
 }
