@@ -46,7 +46,7 @@ TEST_CASE("the folder of a report") {
     CHECK(rows[r][1] == (r < 3 ? "smith" : "implicit"));
     CHECK(rows[r][8] == (r < 3 ? "true" : "false"));
     CHECK((std::stod(rows[r][2]) < 1e-9) == (r < 3));
-    CHECK(rows[r][9] == "0.3");
+    CHECK(rows[r][9] == (r < 3 ? "" : "0.3")); // where rounding is largest says nothing
   }
   const std::string markdown = folder.read("out/tables/properties.md");
   CHECK(markdown.starts_with("# Properties"));
