@@ -53,7 +53,7 @@ TEST_CASE("materials: names, parameters and what is left to defaults") {
     "distribution": {"type": "beckmann", "alpha_x": 1, "alpha_y": 0.25, "correlation": -0.5, "mean_slope": [0.5, -1]},
     "shadowing": {"type": "height_direction_correlated", "lambda": "ashikhmin"}})");
   CHECK(full.name == "α");
-  const SlopeMap& slopes = build(full).slopes();
+  const SlopeMap slopes = build(full).slopes();
   CHECK(slopes.alpha_x == 1);
   CHECK(slopes.alpha_y == 0.25);
   CHECK(slopes.correlation == -0.5);
