@@ -14,6 +14,15 @@
 
 #define BRDFPLOT_INLINE [[gnu::always_inline]] static inline
 
+/// Before a loop: its elements do not depend on each other. Before a short one: it is written out.
+#ifdef __clang__
+#define BRDFPLOT_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#define BRDFPLOT_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define BRDFPLOT_INDEPENDENT _Pragma("GCC ivdep")
+#define BRDFPLOT_UNROLL _Pragma("GCC unroll 8")
+#endif
+
 #if defined(__FMA__) || defined(__FP_FAST_FMA)
 #define BRDFPLOT_KERNELS_FMA 1
 #else
@@ -160,7 +169,7 @@ template <std::size_t first, class T, std::size_t size>
 BRDFPLOT_INLINE T every_other(const T (&c)[size], T x) {
   constexpr std::size_t last = first + (size - 1 - first) / 2 * 2;
   T total = c[last];
-#pragma GCC unroll 8
+  BRDFPLOT_UNROLL
   for (std::size_t i = last; i > first; i -= 2) total = multiply_add(total, x, c[i - 2]);
   return total;
 }

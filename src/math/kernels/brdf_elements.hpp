@@ -31,16 +31,18 @@ BRDFPLOT_INLINE double scaled_norm2(const Constants<double>& k, const Vector3& m
   }
 }
 
-/// e^(-n2 / z2) and 1 / z2. Where n2 / z2 > 900 the result is zero whatever z2 is: it is taken larger, which keeps its
-/// inverse finite and the exponential in range.
+/// e^(-n2 / z2) and 1 / z2. Where n2 / z2 > 900 the exponential is taken for zero, and z2 larger, which keeps its
+/// inverse finite.
 struct SlopeExponential {
   Exponential<double> e;
   double inverse_z2;
 };
 
 BRDFPLOT_INLINE SlopeExponential slope_exponential(double n2, double z) {
-  const double inverse = 1 / larger(z * z, n2 * (1.0 / 900));
-  return {exponential(-(n2 * inverse), 0.0), inverse};
+  const double z2 = z * z, least = n2 * (1.0 / 900);
+  const double inverse = 1 / larger(z2, least);
+  const Exponential<double> e = exponential(-(n2 * inverse), 0.0);
+  return {{z2 < least ? 0 : e.value, e.shifted_k}, inverse};
 }
 
 template <bool plain>
@@ -98,7 +100,8 @@ BRDFPLOT_INLINE double brdf_ggx(const Constants<double>& k, const Vector3& o, co
   const double t = multiply_add(half.h.z, half.h.z, scaled_norm2<plain>(k, half.h, half.low));
   const double inverse = twice_inverse_visibility<shadowing>(p_o.c, v_o, p_i.c, v_i);
   const double value = (half.norm2 * half.norm2) / (((2 * k.pi_det) * t) * (t * inverse));
-  return (p_o.c > 0) & (p_i.c > 0) & (half.h.z > 0) ? value : 0;
+  const bool lit = (p_o.c > 0) & (p_i.c > 0) & (half.h.z > 0);
+  return lit ? value : 0;
 }
 
 /// What the masking of one direction is computed from.
@@ -162,7 +165,8 @@ template <Shadowing shadowing>
 BRDFPLOT_INLINE double brdf_beckmann(const BeckmannGeometry& g, const BeckmannSide& o, const BeckmannSide& i) {
   const Pair<double> v = visibility<shadowing>(g.o.c, o, g.i.c, i);
   const double value = scaled((g.factor * v.high) / v.low, g.shifted_k);
-  return (g.o.c > 0) & (g.i.c > 0) ? value : 0;
+  const bool lit = (g.o.c > 0) & (g.i.c > 0);
+  return lit ? value : 0;
 }
 
 } // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE

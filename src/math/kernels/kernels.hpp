@@ -106,7 +106,8 @@ void d_ggx(const Stretch&, Vectors<float> omega_m, float* d, std::size_t n);
 ///
 /// 0 where c_o <= 0 or c_i <= 0, where the half vector is undefined (omega_i = -omega_o) or points below the surface.
 /// Never NaN, never infinite: a value beyond the largest finite number is that number. The half vector is never
-/// normalised, and the divisions of the last step are one. Beckmann: c_o, c_i <= 0 or >= 2^-600.
+/// normalised, and the divisions of the last step are one. Beckmann: c_o, c_i <= 0 or >= 2^-200; nearer to the horizon
+/// the factor exp(-E) counts as zero where E > 900, although the other factors may be large enough to show it.
 ///@{
 void brdf(const Stretch&, Distribution, Shadowing, Vectors<double> omega_o, Vectors<double> omega_i, double* value,
           std::size_t n);

@@ -36,7 +36,7 @@ BRDFPLOT_INLINE void store(double value, float* to) {
 template <class T, bool plain>
 void project_all(const Constants<T>& constants, Vectors<T> omega, T* __restrict c, T* __restrict s, std::size_t n) {
   const Constants<T> k = constants;
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < n; ++j) {
     const Projected<T> p = project<plain>(k, Vector<T>{omega.x[j], omega.y[j], omega.z[j]});
     c[j] = p.c;
@@ -47,7 +47,7 @@ void project_all(const Constants<T>& constants, Vectors<T> omega, T* __restrict 
 template <class T, bool plain, Distribution distribution>
 void density_all(const Constants<double>& constants, Vectors<T> m, T* __restrict d, std::size_t n) {
   const Constants<double> k = constants;
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < n; ++j)
     store(distribution == Distribution::ggx ? d_ggx<plain>(k, element(m, j)) : d_beckmann<plain>(k, element(m, j)),
           d + j);
@@ -56,7 +56,7 @@ void density_all(const Constants<double>& constants, Vectors<T> m, T* __restrict
 template <class T, bool plain, Shadowing shadowing>
 void brdf_ggx_all(const Constants<double>& constants, Vectors<T> o, Vectors<T> i, T* __restrict value, std::size_t n) {
   const Constants<double> k = constants;
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < n; ++j) store(brdf_ggx<shadowing, plain>(k, element(o, j), element(i, j)), value + j);
 }
 
@@ -66,7 +66,7 @@ struct BeckmannSides {
 };
 
 BRDFPLOT_INLINE void mask(BeckmannSides& side, std::size_t size) {
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) {
     const BeckmannSide masked = beckmann_side(side.s[j], side.a[j]);
     side.area[j] = masked.area;
@@ -82,7 +82,7 @@ void brdf_beckmann_all(const Constants<double>& constants, Vectors<T> o, Vectors
   Column<double> factor, shifted_k;
   for (std::size_t first = 0; first < n; first += block_size) {
     const std::size_t size = n - first < block_size ? n - first : block_size;
-#pragma GCC ivdep
+    BRDFPLOT_INDEPENDENT
     for (std::size_t j = 0; j < size; ++j) {
       const BeckmannGeometry g = beckmann_geometry<plain>(k, element(o, first + j), element(i, first + j));
       side_o.c[j] = g.o.c, side_o.s[j] = g.o.s, side_o.a[j] = g.o.a;
@@ -91,7 +91,7 @@ void brdf_beckmann_all(const Constants<double>& constants, Vectors<T> o, Vectors
     }
     mask(side_o, size);
     if (shadowing != Shadowing::none) mask(side_i, size);
-#pragma GCC ivdep
+    BRDFPLOT_INDEPENDENT
     for (std::size_t j = 0; j < size; ++j) {
       const BeckmannGeometry g{{side_o.c[j], 0, 0}, {side_i.c[j], 0, 0}, factor[j], shifted_k[j]};
       const BeckmannSide none{};
@@ -106,7 +106,7 @@ void brdf_beckmann_all(const Constants<double>& constants, Vectors<T> o, Vectors
 /// The loop of a function of (c, s).
 template <class T, T (*function)(T, T)>
 void over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, std::size_t n) {
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < n; ++j) out[j] = function(c[j], s[j]);
 }
 
@@ -147,17 +147,17 @@ BRDFPLOT_INLINE T step_last(BeckmannBlock<T>& b, std::size_t j, T c, T s) {
 
 template <class T>
 void begin(BeckmannBlock<T>& b, const T* c, const T* s, std::size_t size) {
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) step_ratio(b, j, c[j], s[j]);
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) step_exponential(b, j);
 }
 
 template <class T, LastStep<T> last_step>
 void finish(BeckmannBlock<T>& b, const T* c, const T* s, T* out, std::size_t size) {
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) step_quotient(b, j);
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) out[j] = step_last<T, last_step>(b, j, c[j], s[j]);
 }
 
@@ -165,12 +165,12 @@ void finish(BeckmannBlock<T>& b, const T* c, const T* s, T* out, std::size_t siz
 /// other, so that the divider and the multipliers work at the same time.
 template <class T, LastStep<T> last_step>
 void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const T* c, const T* s, T* out) {
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < block_size; ++j) {
     step_ratio(next, j, c[j], s[j]);
     step_quotient(last, j);
   }
-#pragma GCC ivdep
+  BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < block_size; ++j) {
     (out - block_size)[j] = step_last<T, last_step>(last, j, (c - block_size)[j], (s - block_size)[j]);
     step_exponential(next, j);
