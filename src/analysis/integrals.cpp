@@ -238,7 +238,7 @@ Estimate compute(Integral integral, const Material& material, const Direction& o
   case Integral::weak_furnace: return weak_furnace(material, omega_o, tolerance);
   case Integral::furnace: return furnace(material, omega_o, tolerance);
   case Integral::albedo: return reflected_light(material, omega_o, tolerance, channel, one);
-  case Integral::weak_furnace_grid: return {weak_furnace_on_grid(material, omega_o), 0, 63 * 126};
+  case Integral::weak_furnace_grid: return {weak_furnace_on_grid(material, omega_o), 0, std::size_t{63} * 126};
   case Integral::mean_theta_i: return mean_theta_i(material, omega_o, tolerance);
   case Integral::peak_theta_i: return peak_theta_i(material, omega_o);
   }

@@ -30,11 +30,12 @@ bool set_in(ModelChoice& choice, const std::string& key, double value) {
     const auto in = [](const std::vector<std::string>& group, const std::string& k) {
       return std::ranges::find(group, k) != group.end();
     };
-    for (const auto& [other, old] : choice.values.map()) {
+    for (const auto& entry : choice.values.map()) {
+      const std::string& other = entry.first;
       const bool displaced =
           std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, other) && !in(g, key); }) &&
           std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, key); });
-      if (!displaced) kept.set(other, old);
+      if (!displaced) kept.set(other, entry.second);
     }
     kept.set(key, value);
     choice.values = kept;

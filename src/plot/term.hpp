@@ -7,13 +7,14 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace brdfplot::plot {
 
 /// A configuration being set up: a material and directions.
 class Configuration {
 public:
-  explicit Configuration(const MaterialDescription& material) : material_(material) {}
+  explicit Configuration(MaterialDescription material) : material_(std::move(material)) {}
 
   /// \throws InputError (MaterialError) when nothing has this variable.
   void set(const Setting& setting);
