@@ -40,7 +40,7 @@ Setting to_setting(const std::string& variable, const Json& value) {
 /// "60°" for "60deg", the number or the word otherwise.
 std::string word_for(const Json& value) {
   if (value.is_number()) return format_number(value.get<double>());
-  const auto text = value.get<std::string>();
+  auto text = value.get<std::string>();
   const auto unit = text.find("deg");
   if (!is_numeric(value) || unit == std::string::npos) return text;
   constexpr const char* blank = " \t\r";

@@ -121,8 +121,9 @@ public:
           if (side > low_ && side < high_) t.push_back(side);
     }
     std::ranges::sort(t);
-    const auto repeated = std::ranges::unique(t, [&](double a, double b) { return b - a < 1e-9 * (high_ - low_); });
-    t.erase(repeated.begin(), repeated.end());
+    // Not std::ranges::unique: clang 14 does not compile this library's subrange.
+    const auto same = [&](double a, double b) { return b - a < 1e-9 * (high_ - low_); };
+    t.erase(std::unique(t.begin(), t.end(), same), t.end());
     if (t.back() != high_) t.back() = high_;
     return t;
   }
