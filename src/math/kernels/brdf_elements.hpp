@@ -143,7 +143,7 @@ BRDFPLOT_INLINE BeckmannSide beckmann_side(double s, double a_unbounded) {
   const double a = smaller(magnitude(a_unbounded), 26.0);
   const Quotient<double> r = scaled_beckmann_lambda(a, 0.0);
   const Exponential<double> e = exponential(-(a * a), 0.0);
-  const double gauss = from_bits<double>(bits(e.value) + exponent_bits(e.shifted_k));
+  const auto gauss = from_bits<double>(bits(e.value) + exponent_bits(e.shifted_k));
   return {(s * half_over_root_pi<double>)*(gauss * r.numerator), r.denominator};
 }
 
