@@ -1,0 +1,49 @@
+/// \file
+/// What one would write, or call, instead of the kernels. Each function runs over n elements.
+#pragma once
+
+#include "math/kernels/kernels.hpp"
+
+#include <cstddef>
+
+namespace brdfplot::bench {
+
+template <class T>
+using OverCs = void(const T* c, const T* s, T* out, std::size_t n);
+
+/// Lambda as printed, a = c / s (Heitz 2014, Eqs. 69 and 72), one element after the other.
+template <class T>
+OverCs<T> printed_beckmann;
+template <class T>
+OverCs<T> printed_beckmann_boost;
+template <class T>
+OverCs<T> printed_ggx;
+template <class T>
+OverCs<T> walter_scalar;
+
+/// The same source, vectorised by the compiler: Eq. 72, and Eq. 69 with GCC's vector mathematics library (-ffast-math,
+/// AVX-512). Null pointers where the compiler or the machine has it not.
+OverCs<double>* printed_ggx_vectorised();
+OverCs<double>* printed_beckmann_libmvec();
+/// Eq. 69 with SLEEF's erf and exp of 1 ulp, AVX-512.
+OverCs<double>* printed_beckmann_sleef();
+OverCs<float>* printed_beckmann_sleef_float();
+
+template <class T>
+using Brdf = void(double alpha, kernels::Vectors<T> o, kernels::Vectors<T> i, T* out, std::size_t n);
+
+/// D G / (4 cos cos) as pbrt-v4 writes it (util/scattering.h: tan^2, cos phi and sin phi of an anisotropic
+/// distribution, Lambda twice, a division at the end), and the same for Beckmann with std::erf, as pbrt-v3 had it but
+/// with the exact Lambda.
+template <class T>
+Brdf<T> pbrt_ggx;
+template <class T>
+Brdf<T> pbrt_beckmann;
+
+/// The leanest isotropic transcription: tan^2 from cos, Lambda twice, a division.
+template <class T>
+Brdf<T> lean_ggx;
+template <class T>
+Brdf<T> lean_beckmann;
+
+} // namespace brdfplot::bench
