@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,8 @@ private:
 
   std::string path_, text_;
   Json root_;
-  std::vector<Origin> origins_; ///< longest matching prefix counts
+  std::vector<Origin> origins_;           ///< longest matching prefix counts
+  std::map<std::string, Json> documents_; ///< files that references name, while they are followed
 };
 
 } // namespace brdfplot::config
