@@ -136,7 +136,6 @@ JsonFile::JsonFile(const std::string& path) : path_(path), text_(read_text_file(
   std::vector<std::string> trail;
   const Origin here{"", path, ""};
   root_ = expand(parse(path, text_), "", here, trail);
-  documents_.clear();
 }
 
 Json JsonFile::expand(const Json& value, const std::string& pointer, const Origin& here,
@@ -173,25 +172,22 @@ Json JsonFile::follow(const Json& value, const std::string& pointer, const Origi
   } catch (const Json::exception&) {
     throw InputError(where, show(inside) + " is not a JSON pointer; accepted: \"\" or \"/key/...\"");
   }
-  const std::string real = canonical(file);
-  const std::string whole = real + "#" + inside;
+  const std::string whole = canonical(file) + "#" + inside;
   if (std::ranges::find(trail, whole) != trail.end())
     throw InputError(where, "the reference " + show(target) + " leads back to itself");
   if (trail.size() == most_levels)
     throw InputError(where, "more than " + std::to_string(most_levels) + " references lead to each other");
   if (origins_.size() == most_references)
     throw InputError(where, "there are more than " + std::to_string(most_references) + " references");
-  auto known = documents_.find(real);
-  if (known == documents_.end()) known = documents_.emplace(real, parse(file, read_referenced(file, where))).first;
-  const Json& document = known->second;
+  Json document = parse(file, read_referenced(file, where));
   const Json* found = find(document, steps);
   if (found == nullptr) throw InputError(where, "there is nothing at " + show(inside) + " in " + one_line(file));
   const Origin there{pointer, file, inside};
   origins_.push_back(there);
   trail.push_back(whole);
-  Json result = expand(*found, pointer, there, trail);
   // What names the schema of a file says nothing of the value that the file holds.
-  if (inside.empty() && result.is_object()) result.erase("$schema");
+  if (inside.empty() && document.is_object()) document.erase("$schema");
+  Json result = expand(*found, pointer, there, trail);
   trail.pop_back();
   return result;
 }

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -45,8 +44,7 @@ private:
 
   std::string path_, text_;
   Json root_;
-  std::vector<Origin> origins_;           ///< longest matching prefix counts
-  std::map<std::string, Json> documents_; ///< files that references name, while they are followed
+  std::vector<Origin> origins_; ///< longest matching prefix counts
 };
 
 } // namespace brdfplot::config
