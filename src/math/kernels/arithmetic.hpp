@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #define BRDFPLOT_INLINE [[gnu::always_inline]] static inline
+#define BRDFPLOT_INLINE_MEMBER [[gnu::always_inline]]
 
 /// Before a loop: its elements do not depend on each other. Before a short one: it is written out.
 #ifdef __clang__

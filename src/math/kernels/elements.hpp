@@ -67,6 +67,13 @@ BRDFPLOT_INLINE Ratio<T> ratio(T c, T s) {
   return {a, multiply_add(a + a, a_low, product_low(a, a, a * a))};
 }
 
+/// The same for a ratio that is given as such.
+template <class T>
+BRDFPLOT_INLINE Ratio<T> ratio_of(T given) {
+  const T a = smaller(magnitude(given), Format<T>::largest_a);
+  return {a, product_low(a, a, a * a)};
+}
+
 /// The last step of the Beckmann masked area: s e^(-a^2) R(a) / (2 sqrt(pi)).
 template <class T>
 BRDFPLOT_INLINE T masked_area_beckmann(T c, T s, const Exponential<T>& e, const Quotient<T>& r) {
@@ -80,6 +87,13 @@ BRDFPLOT_INLINE T lambda_beckmann(T c, T s, const Exponential<T>& e, const Quoti
   const T dividend = smaller(c, Format<T>::largest_a * larger(s, Format<T>::smallest_divisor));
   const T m = (s * (half_over_root_pi<T> * e.value) * r.numerator) / (dividend * r.denominator);
   return c > 0 ? scaled(m, e.shifted_k) : T(__builtin_inf());
+}
+
+/// The same for a given a.
+template <class T>
+BRDFPLOT_INLINE T lambda_beckmann_of(T a, const Exponential<T>& e, const Quotient<T>& r) {
+  const T m = ((half_over_root_pi<T> * e.value) * r.numerator) / (smaller(a, Format<T>::largest_a) * r.denominator);
+  return a > 0 ? scaled(m, e.shifted_k) : T(__builtin_inf());
 }
 
 /// sqrt(c^2 + s^2) of the numbers scaled to the larger one.

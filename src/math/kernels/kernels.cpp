@@ -156,6 +156,8 @@ bool use_isa(Isa isa) {
   void lambda_beckmann_walter(const T* c, const T* s, T* lambda, std::size_t n) {                                      \
     kernels<T>().lambda_walter(c, s, lambda, n);                                                                       \
   }                                                                                                                    \
+  void lambda_beckmann(const T* a, T* lambda, std::size_t n) { kernels<T>().lambda_beckmann_of_a(a, lambda, n); }      \
+  void lambda_ggx(const T* a, T* lambda, std::size_t n) { kernels<T>().lambda_ggx_of_a(a, lambda, n); }                \
   void d_beckmann(const Stretch& stretch, Vectors<T> omega_m, T* d, std::size_t n) {                                   \
     run_density(stretch, Distribution::beckmann, omega_m, d, n);                                                       \
   }                                                                                                                    \

@@ -72,8 +72,12 @@ void masked_area_beckmann_walter(const float* c, const float* s, float* tau, std
 ///@}
 
 /// \name Lambda
-/// Lambda(c / s), as above; infinity for c <= 0.
+/// Lambda(c / s), as above, or Lambda(a); infinity for c <= 0, a <= 0.
 ///@{
+void lambda_beckmann(const double* a, double* lambda, std::size_t n);
+void lambda_beckmann(const float* a, float* lambda, std::size_t n);
+void lambda_ggx(const double* a, double* lambda, std::size_t n);
+void lambda_ggx(const float* a, float* lambda, std::size_t n);
 void lambda_beckmann(const double* c, const double* s, double* lambda, std::size_t n);
 void lambda_beckmann(const float* c, const float* s, float* lambda, std::size_t n);
 void lambda_ggx(const double* c, const double* s, double* lambda, std::size_t n);

@@ -17,7 +17,7 @@ inline constexpr std::size_t block_size = 128;
 template <class T>
 struct alignas(64) Column {
   T values[block_size];
-  [[gnu::always_inline]] T& operator[](std::size_t j) { return values[j]; }
+  BRDFPLOT_INLINE_MEMBER T& operator[](std::size_t j) { return values[j]; }
 };
 
 template <class T>
@@ -110,90 +110,116 @@ void over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, st
   for (std::size_t j = 0; j < n; ++j) out[j] = function(c[j], s[j]);
 }
 
+/// Where a Beckmann kernel finds a, and what it makes of the parts of Lambda: over arrays of c and s.
+template <class T, T (*last_step)(T, T, const Exponential<T>&, const Quotient<T>&)>
+struct BeckmannOverCs {
+  const T* __restrict c;
+  const T* __restrict s;
+  T* __restrict out;
+  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio(c[j], s[j]); }
+  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, const Exponential<T>& e, const Quotient<T>& r) const {
+    out[j] = last_step(c[j], s[j], e, r);
+  }
+};
+
+/// The same over an array of a.
 template <class T>
-using LastStep = T (*)(T, T, const Exponential<T>&, const Quotient<T>&);
+struct BeckmannOverA {
+  const T* __restrict a;
+  T* __restrict out;
+  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio_of(a[j]); }
+  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, const Exponential<T>& e, const Quotient<T>& r) const {
+    out[j] = lambda_beckmann_of(a[j], e, r);
+  }
+};
 
 /// A block of Beckmann's masked area or Lambda on its way through four steps.
 template <class T>
 struct BeckmannBlock {
   Column<T> a, square_low, value, shifted_k, numerator, denominator;
+
+  BRDFPLOT_INLINE_MEMBER void first_step(std::size_t j, const Ratio<T>& r) {
+    a[j] = r.a;
+    square_low[j] = r.square_low;
+  }
+  BRDFPLOT_INLINE_MEMBER void exponential_step(std::size_t j) {
+    const Exponential<T> e = exponential(-(a[j] * a[j]), -square_low[j]);
+    value[j] = e.value;
+    shifted_k[j] = e.shifted_k;
+  }
+  BRDFPLOT_INLINE_MEMBER void quotient_step(std::size_t j) {
+    const Quotient<T> r = scaled_beckmann_lambda(a[j], square_low[j]);
+    numerator[j] = r.numerator;
+    denominator[j] = r.denominator;
+  }
+  BRDFPLOT_INLINE_MEMBER Exponential<T> exponential_of(std::size_t j) { return {value[j], shifted_k[j]}; }
+  BRDFPLOT_INLINE_MEMBER Quotient<T> quotient_of(std::size_t j) { return {numerator[j], denominator[j]}; }
 };
 
-template <class T>
-BRDFPLOT_INLINE void step_ratio(BeckmannBlock<T>& b, std::size_t j, T c, T s) {
-  const Ratio<T> r = ratio(c, s);
-  b.a[j] = r.a;
-  b.square_low[j] = r.square_low;
-}
-
-template <class T>
-BRDFPLOT_INLINE void step_exponential(BeckmannBlock<T>& b, std::size_t j) {
-  const Exponential<T> e = exponential(-(b.a[j] * b.a[j]), -b.square_low[j]);
-  b.value[j] = e.value;
-  b.shifted_k[j] = e.shifted_k;
-}
-
-template <class T>
-BRDFPLOT_INLINE void step_quotient(BeckmannBlock<T>& b, std::size_t j) {
-  const Quotient<T> r = scaled_beckmann_lambda(b.a[j], b.square_low[j]);
-  b.numerator[j] = r.numerator;
-  b.denominator[j] = r.denominator;
-}
-
-template <class T, LastStep<T> last_step>
-BRDFPLOT_INLINE T step_last(BeckmannBlock<T>& b, std::size_t j, T c, T s) {
-  return last_step(c, s, {b.value[j], b.shifted_k[j]}, {b.numerator[j], b.denominator[j]});
-}
-
-template <class T>
-void begin(BeckmannBlock<T>& b, const T* c, const T* s, std::size_t size) {
+template <class T, class Arrays>
+void begin(BeckmannBlock<T>& b, const Arrays& arrays, std::size_t first, std::size_t size) {
   BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < size; ++j) step_ratio(b, j, c[j], s[j]);
+  for (std::size_t j = 0; j < size; ++j) b.first_step(j, arrays.first_step(first + j));
   BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < size; ++j) step_exponential(b, j);
+  for (std::size_t j = 0; j < size; ++j) b.exponential_step(j);
 }
 
-template <class T, LastStep<T> last_step>
-void finish(BeckmannBlock<T>& b, const T* c, const T* s, T* out, std::size_t size) {
+template <class T, class Arrays>
+void finish(BeckmannBlock<T>& b, const Arrays& arrays, std::size_t first, std::size_t size) {
   BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < size; ++j) step_quotient(b, j);
+  for (std::size_t j = 0; j < size; ++j) b.quotient_step(j);
   BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < size; ++j) out[j] = step_last<T, last_step>(b, j, c[j], s[j]);
+  for (std::size_t j = 0; j < size; ++j) arrays.finish(first + j, b.exponential_of(j), b.quotient_of(j));
 }
 
-/// Begins `next` and finishes `last`, the block before it. A loop that divides for the one computes polynomials for the
-/// other, so that the divider and the multipliers work at the same time.
-template <class T, LastStep<T> last_step>
-void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const T* c, const T* s, T* out) {
+/// Begins `next`, which starts at `first`, and finishes `last`, the block before it. A loop that divides for the one
+/// computes polynomials for the other, so that the divider and the multipliers work at the same time.
+template <class T, class Arrays>
+void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const Arrays& arrays, std::size_t first) {
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < block_size; ++j) {
-    step_ratio(next, j, c[j], s[j]);
-    step_quotient(last, j);
+    next.first_step(j, arrays.first_step(first + j));
+    last.quotient_step(j);
   }
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < block_size; ++j) {
-    (out - block_size)[j] = step_last<T, last_step>(last, j, (c - block_size)[j], (s - block_size)[j]);
-    step_exponential(next, j);
+    arrays.finish(first - block_size + j, last.exponential_of(j), last.quotient_of(j));
+    next.exponential_step(j);
   }
 }
 
 /// Masked area or Lambda of Beckmann.
-template <class T, LastStep<T> last_step>
-void beckmann_over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, std::size_t n) {
+template <class T, class Arrays>
+void beckmann_all(const Arrays& arrays, std::size_t n) {
   BeckmannBlock<T> blocks[2];
   const std::size_t whole = n / block_size * block_size;
   if (whole > 0) {
-    begin(blocks[0], c, s, block_size);
+    begin(blocks[0], arrays, 0, block_size);
     std::size_t parity = 0;
     for (std::size_t first = block_size; first < whole; first += block_size) {
-      begin_and_finish<T, last_step>(blocks[1 - parity], blocks[parity], c + first, s + first, out + first);
+      begin_and_finish(blocks[1 - parity], blocks[parity], arrays, first);
       parity = 1 - parity;
     }
-    const std::size_t first = whole - block_size;
-    finish<T, last_step>(blocks[parity], c + first, s + first, out + first, block_size);
+    finish(blocks[parity], arrays, whole - block_size, block_size);
   }
-  begin(blocks[0], c + whole, s + whole, n - whole);
-  finish<T, last_step>(blocks[0], c + whole, s + whole, out + whole, n - whole);
+  begin(blocks[0], arrays, whole, n - whole);
+  finish(blocks[0], arrays, whole, n - whole);
+}
+
+template <class T, T (*last_step)(T, T, const Exponential<T>&, const Quotient<T>&)>
+void beckmann_over_cs(const T* c, const T* s, T* out, std::size_t n) {
+  beckmann_all<T>(BeckmannOverCs<T, last_step>{c, s, out}, n);
+}
+
+template <class T>
+void beckmann_over_a(const T* a, T* out, std::size_t n) {
+  beckmann_all<T>(BeckmannOverA<T>{a, out}, n);
+}
+
+template <class T>
+void ggx_over_a(const T* __restrict a, T* __restrict out, std::size_t n) {
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < n; ++j) out[j] = lambda_ggx(a[j], T(1));
 }
 
 template <class T, bool plain, Distribution distribution, Shadowing shadowing>
@@ -233,6 +259,8 @@ constexpr detail::Kernels<T> kernels_of() {
   table.lambda_beckmann = beckmann_over_cs<T, lambda_beckmann<T>>;
   table.lambda_ggx = over_cs<T, lambda_ggx<T>>;
   table.lambda_walter = over_cs<T, lambda_walter<T>>;
+  table.lambda_beckmann_of_a = beckmann_over_a<T>;
+  table.lambda_ggx_of_a = ggx_over_a<T>;
   return table;
 }
 

@@ -34,6 +34,7 @@ template <class T>
 struct Kernels {
   using Project = void (*)(const StretchConstants<T>&, Vectors<T>, T*, T*, std::size_t);
   using Area = void (*)(const T*, const T*, T*, std::size_t);
+  using OfA = void (*)(const T*, T*, std::size_t);
   using Density = void (*)(const StretchConstants<double>&, Vectors<T>, T*, std::size_t);
   using Brdf = void (*)(const StretchConstants<double>&, Vectors<T>, Vectors<T>, T*, std::size_t);
 
@@ -44,6 +45,8 @@ struct Kernels {
   Area lambda_beckmann;
   Area lambda_ggx;
   Area lambda_walter;
+  OfA lambda_beckmann_of_a;
+  OfA lambda_ggx_of_a;
   Density density[2][2]; ///< [distribution][plain]
   Brdf brdf[2][4][2];    ///< [distribution][shadowing][plain]
 };
