@@ -95,7 +95,8 @@ template <Shadowing shadowing, bool plain>
 BRDFPLOT_INLINE double brdf_ggx(const Constants<double>& k, const Vector3& o, const Vector3& i) {
   const HalfVector half = half_vector<plain>(o, i);
   const Projected<double> p_o = project<plain>(k, o), p_i = project<plain>(k, i);
-  const double v_o = root(multiply_add(p_o.c, p_o.c, squared_roughness(p_o)));
+  // One root by the divider, one by the multipliers: at the same time.
+  const double v_o = root_by_products(multiply_add(p_o.c, p_o.c, squared_roughness(p_o)));
   const double v_i = shadowing == Shadowing::none ? 0 : root(multiply_add(p_i.c, p_i.c, squared_roughness(p_i)));
   const double t = multiply_add(half.h.z, half.h.z, scaled_norm2<plain>(k, half.h, half.low));
   const double inverse = twice_inverse_visibility<shadowing>(p_o.c, v_o, p_i.c, v_i);

@@ -107,7 +107,7 @@ BRDFPLOT_INLINE Hypotenuse<T> hypotenuse(T c, T s) {
   const T absolute = magnitude(c);
   const T factor = normalizer(larger(absolute, s));
   const T u = absolute * factor, v = s * factor;
-  return {u, v, root(multiply_add(u, u, v * v))};
+  return {u, v, root_by_products(multiply_add(u, u, v * v))};
 }
 
 template <class T>
