@@ -105,8 +105,17 @@ std::function<Brdf<T>> brdf_kernel(kernels::Distribution distribution) {
 }
 
 template <class T>
+std::function<void()> over_a(void (*function)(const T*, T*, std::size_t)) {
+  return [function] { function(inputs<T>().a.data(), output<T>().data(), count); };
+}
+
+template <class T>
 void add_masking(std::vector<Case>& all) {
   constexpr bool is_double = sizeof(T) == sizeof(double);
+  Group<T> of_a(all, "Lambda(a) Beckmann",
+                [](std::size_t k) { return reference::lambda_beckmann(Quad(inputs<T>().a[k])); });
+  of_a.add_kernel(over_a<T>(kernels::lambda_beckmann));
+  of_a.add("printed, std::erf", over_a<T>(printed_beckmann_of_a<T>), is_double ? 12 : 0);
   Group<T> beckmann(all, "Lambda Beckmann", [](std::size_t k) { return exact_lambda<T>(Model::beckmann, k); });
   beckmann.add_kernel(over_cs<T>(kernels::lambda_beckmann));
   beckmann.add("printed, std::erf", over_cs<T>(printed_beckmann<T>), is_double ? 12 : 0);

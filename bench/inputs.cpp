@@ -24,6 +24,7 @@ Inputs<T> make() {
     const double theta = add(in.o), alpha = std::pow(100.0, uniform() - 1);
     in.c.push_back(static_cast<T>(std::cos(theta)));
     in.s.push_back(static_cast<T>(alpha * std::sin(theta)));
+    in.a.push_back(in.c.back() / in.s.back());
     add(in.i);
     if (k % batch == 0) in.alpha.push_back(static_cast<double>(static_cast<T>(alpha)));
   }

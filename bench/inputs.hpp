@@ -21,7 +21,7 @@ struct Directions {
 
 template <class T>
 struct Inputs {
-  std::vector<T> c, s;       ///< of one direction and one roughness each
+  std::vector<T> c, s, a;    ///< of one direction and one roughness each
   Directions<T> o, i;        ///< pairs of directions
   std::vector<double> alpha; ///< of the batches of pairs, representable in T
 };

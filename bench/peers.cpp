@@ -128,6 +128,11 @@ void printed_beckmann(const T* c, const T* s, T* out, std::size_t n) {
 }
 
 template <class T>
+void printed_beckmann_of_a(const T* a, T* out, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) out[k] = printed_lambda_beckmann(a[k]);
+}
+
+template <class T>
 void printed_beckmann_boost(const T* c, const T* s, T* out, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     const T a = c[k] / s[k];
@@ -176,6 +181,8 @@ template OverCs<double> printed_ggx<double>;
 template OverCs<float> printed_ggx<float>;
 template OverCs<double> walter_scalar<double>;
 template OverCs<float> walter_scalar<float>;
+template void printed_beckmann_of_a(const double*, double*, std::size_t);
+template void printed_beckmann_of_a(const float*, float*, std::size_t);
 template Brdf<double> pbrt_ggx<double>;
 template Brdf<float> pbrt_ggx<float>;
 template Brdf<double> pbrt_beckmann<double>;

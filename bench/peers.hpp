@@ -29,6 +29,10 @@ OverCs<double>* printed_beckmann_libmvec();
 OverCs<double>* printed_beckmann_sleef();
 OverCs<float>* printed_beckmann_sleef_float();
 
+/// Eq. 69 for an a that is given.
+template <class T>
+void printed_beckmann_of_a(const T* a, T* out, std::size_t n);
+
 template <class T>
 using Brdf = void(double alpha, kernels::Vectors<T> o, kernels::Vectors<T> i, T* out, std::size_t n);
 

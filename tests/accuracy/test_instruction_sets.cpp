@@ -35,6 +35,10 @@ std::vector<T> all_kernels(const kernels::Stretch& k, const Arrays<T>& o, const 
     function(c.data(), s.data(), value.data(), n);
     keep();
   }
+  kernels::lambda_beckmann(c.data(), value.data(), n);
+  keep();
+  kernels::lambda_ggx(c.data(), value.data(), n);
+  keep();
   kernels::d_beckmann(k, at(o.view()), value.data(), n);
   keep();
   kernels::d_ggx(k, at(o.view()), value.data(), n);
@@ -55,7 +59,7 @@ void check_bytes(const kernels::Stretch& k) {
       o.push_back(pair.o);
       i.push_back(pair.i);
     }
-  const std::size_t n = 689, kinds = 16;
+  const std::size_t n = 689, kinds = 20;
   const auto whole = all_kernels(k, o, i, 0, n);
   for (const std::size_t size : {1, 7, 64, 129, 333}) {
     for (std::size_t first = 0; first < n; first += size) {

@@ -130,10 +130,33 @@ void check_kernel(const Function<T>& function, const std::string& domain) {
 }
 
 template <class T>
+void check_of_a(const char* name, void (*kernel)(const T*, T*, std::size_t), reference::Model model,
+                const std::string& domain) {
+  const Pairs<T> in = draw_pairs<T>(domain, inputs_per_row());
+  std::vector<T> a;
+  std::vector<Quad> exact;
+  for (std::size_t k = 0; k < in.c.size(); ++k) {
+    a.push_back(in.c[k] / in.s[k]);
+    if (!(a.back() > 0)) a.back() = 1;
+    exact.push_back(reference::lambda(model, Quad(a.back())));
+  }
+  for_each_isa([&](const std::string& isa) {
+    std::vector<T> out(a.size());
+    kernel(a.data(), out.data(), out.size());
+    Row row(name, type_name<T>(), isa, domain, sizeof(T) == sizeof(float) ? float_masking : lambda);
+    for (std::size_t k = 0; k < out.size(); ++k)
+      row.add(ulp_error(out[k], exact[k]), [&] { return "a = " + text(static_cast<double>(a[k])); });
+    finish(row);
+  });
+}
+
+template <class T>
 void check_kernels() {
   for (const char* domain : {"a in [0; 30]", "a log-uniform", "subnormal results", "bit patterns"}) {
     for (const auto& function : functions<T, reference::Model::beckmann>()) check_kernel(function, domain);
     for (const auto& function : functions<T, reference::Model::ggx>()) check_kernel(function, domain);
+    check_of_a<T>("Lambda(a) (Beckmann)", kernels::lambda_beckmann, reference::Model::beckmann, domain);
+    check_of_a<T>("Lambda(a) (GGX)", kernels::lambda_ggx, reference::Model::ggx, domain);
   }
 }
 
