@@ -103,7 +103,8 @@ Pairs<T> draw_pairs(const std::string& domain, std::size_t n) {
                  : static_cast<T>(random.pattern(0x1p-900, 0x1p200));
       c = single ? static_cast<T>(random.pattern(0x1p-100f, 0x1p99f))
                  : static_cast<T>(random.pattern(0x1p-900, 0x1p999));
-      if (static_cast<double>(c) > quad_is_enough * static_cast<double>(s)) continue;
+      const double a = static_cast<double>(c) / static_cast<double>(s);
+      if (a > quad_is_enough || a < (single ? 0x1p-120 : 0x1p-1000)) continue;
     }
     if (domain == "subnormal results" && single) c = static_cast<T>(random.uniform(8.9, 10.3) * static_cast<double>(s));
     pairs.c.push_back(c);

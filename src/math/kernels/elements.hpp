@@ -120,7 +120,7 @@ BRDFPLOT_INLINE T masked_area_ggx(T c, T s) {
 template <class T>
 BRDFPLOT_INLINE T lambda_ggx(T c, T s) {
   const Hypotenuse<T> h = hypotenuse(c, s);
-  const T lambda = (T(0.5) * h.s * h.s) / (h.c * (h.c + h.root));
+  const T lambda = (h.s * h.s) / ((h.c + h.c) * (h.c + h.root));
   return c > 0 ? lambda : T(__builtin_inf());
 }
 

@@ -72,7 +72,8 @@ void masked_area_beckmann_walter(const float* c, const float* s, float* tau, std
 ///@}
 
 /// \name Lambda
-/// Lambda(c / s), as above, or Lambda(a); infinity for c <= 0, a <= 0.
+/// Lambda(c / s), as above, or Lambda(a); infinity for c <= 0, a <= 0. Domain: c / s, a <= 0 or >= 2^-1000 (float:
+/// 2^-120).
 ///@{
 void lambda_beckmann(const double* a, double* lambda, std::size_t n);
 void lambda_beckmann(const float* a, float* lambda, std::size_t n);
