@@ -7,15 +7,18 @@
 
 namespace brdfplot {
 
-/// mu Lambda(mu), mu = cot theta_o, for an isotropic slope density P22(r):
-///   Lambda(mu) = 2 mu^2 int_0^inf P22(mu sqrt(1 + s^2)) s (s - atan s) ds,
-/// Heitz 2014, Eqs. 40-43 in polar slopes r = mu sqrt(1 + s^2); every term is positive, so nothing cancels.
-/// The density is given as ln P22 of r^2, so that a Lambda of 1e-300 has as many digits as one of 1.
-/// `scale` is where the integrand has its mass in s (any value works; a good one costs fewer points).
-/// Domain mu > 0, P22 r^2 integrable over r. Relative error about 1e-13; 0 from mu = 1e75 on, where Lambda < 1e-149 and
-/// mu^3 would overflow soon.
+/// ln of a slope density at a squared slope; -infinity where the density is 0. The logarithm, so that a Lambda of
+/// 1e-300 has as many digits as one of 1.
+using LogDensity = std::function<double(double r2)>;
+
+/// a Lambda(a) for an isotropic density of slopes p(r):
+///   a Lambda(a) = 2 int_0^inf p(sqrt(a^2 + t^2)) t (t - a atan(t / a)) dt,
+/// Heitz 2014, Eqs. 40-43 in polar slopes r^2 = a^2 + t^2; every term is positive, so nothing cancels. With the density
+/// of unit roughness of a shape-invariant distribution, a is that of Eq. 63; with P22 itself, cot theta_o.
+/// Domain a >= 0, p r^2 integrable over r. Limits: the mean slope along one axis, int p r^2 dr, times 2 at a = 0; 0 at
+/// infinity, and from a = 1e75 on, where Lambda < 1e-149 and a^3 would overflow soon. Relative error about 1e-13.
 /// \throws AccuracyError when the estimate is not below 1e-10.
-double mu_lambda_by_quadrature(const std::function<double(double r2)>& log_p22_of_r2, double mu, double scale);
+double a_lambda_by_quadrature(const LogDensity& log_density, double a);
 
 /// masked_area() of n projections; an integral is not computed twice in a row, since many rows share one direction.
 template <class D>

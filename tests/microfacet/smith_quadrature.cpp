@@ -2,6 +2,7 @@
 // at 40 digits from Lambda(mu) = 2 int_mu^inf r P22(r) (sqrt(r^2 / mu^2 - 1) - arccos(mu / r)) dr.
 #include "microfacet/smith_quadrature.hpp"
 #include "../materials.hpp"
+#include "microfacet/a_lambda_table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -92,12 +93,33 @@ TEST_CASE("Lambda of Beckmann and GGX is that of their own slopes") {
     for (const double alpha : {0.1, 0.5, 2.0}) {
       INFO("alpha = " << alpha << ", theta = " << theta);
       const double a2 = alpha * alpha;
-      const double scale = std::hypot(mu, alpha) / mu;
       const auto beckmann = [&](double r2) { return -r2 / a2 - std::log(std::numbers::pi * a2); };
       const auto ggx = [&](double r2) { return -std::log(std::numbers::pi * a2) - 2 * std::log1p(r2 / a2); };
       const double exact = lambda(material("beckmann", alpha), o);
-      if (exact > 1e-280) CHECK(relative(mu_lambda_by_quadrature(beckmann, mu, alpha / mu) / mu, exact) < 1e-11);
-      CHECK(relative(mu_lambda_by_quadrature(ggx, mu, scale) / mu, lambda(material("ggx", alpha), o)) < 1e-11);
+      if (exact > 1e-280) CHECK(relative(a_lambda_by_quadrature(beckmann, mu) / mu, exact) < 1e-11);
+      CHECK(relative(a_lambda_by_quadrature(ggx, mu) / mu, lambda(material("ggx", alpha), o)) < 1e-11);
     }
   }
+}
+
+TEST_CASE("a Lambda(a) by quadrature is finite at both ends, and the table is as good") {
+  const LogDensity beckmann = [](double t2) { return -t2 - std::log(std::numbers::pi); };
+  const LogDensity ggx = [](double t2) { return -std::log(std::numbers::pi) - 2 * std::log1p(t2); };
+  // A density with a hole and a kink: t^2 exp(-t^2) cut at t^2 = 3, normalised.
+  const double norm = std::log(std::numbers::pi * (1 - 4 * std::exp(-3.0)));
+  const LogDensity cut = [norm](double t2) { return t2 < 3 && t2 > 0 ? std::log(t2) - t2 - norm : -infinity; };
+  CHECK(relative(a_lambda_by_quadrature(beckmann, 0), 0.5 / std::sqrt(std::numbers::pi)) < 1e-13);
+  CHECK(relative(a_lambda_by_quadrature(ggx, 0), 0.5) < 1e-13);
+  CHECK(a_lambda_by_quadrature(ggx, infinity) == 0);
+  CHECK(a_lambda_by_quadrature(cut, 2) == 0);
+  CHECK(a_lambda_by_quadrature(cut, 1.7) > 0);
+  const ALambdaTable beckmann_table(beckmann), ggx_table(ggx), cut_table(cut);
+  for (double a = 0; a < 300; a = 1.013 * a + 1e-3) {
+    INFO("a = " << a);
+    CHECK(relative(ggx_table(a), GgxShape::a_lambda(a)) < 1e-11);
+    if (a < 26) CHECK(relative(beckmann_table(a), BeckmannShape::a_lambda(a)) < 1e-11);
+    CHECK(relative(cut_table(a), a_lambda_by_quadrature(cut, a)) < 1e-10);
+  }
+  CHECK(relative(ggx_table(1e60), GgxShape::a_lambda(1e60)) < 1e-10);
+  CHECK(ggx_table(infinity) == 0);
 }

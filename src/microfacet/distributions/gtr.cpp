@@ -57,9 +57,7 @@ double Gtr::density(const Direction& omega_m) const {
 double Gtr::masked_area(const Projection& p) const {
   if (!(p.s > 0) || !(p.c > 0)) return 0;
   const double sin_theta = p.s / slopes.alpha_x;
-  const double mu = p.c / sin_theta;
-  const double scale = std::hypot(mu, slopes.alpha_x) / mu;
-  return sin_theta * mu_lambda_by_quadrature([this](double r2) { return log_p22(r2); }, mu, scale);
+  return sin_theta * a_lambda_by_quadrature([this](double r2) { return log_p22(r2); }, p.c / sin_theta);
 }
 
 } // namespace brdfplot

@@ -54,10 +54,8 @@ double Phong::density(const Direction& omega_m) const {
 double Phong::masked_area(const Projection& p) const {
   if (!(p.s > 0) || !(p.c > 0)) return 0;
   const double sin_theta = p.s / slopes.alpha_x;
-  const double mu = p.c / sin_theta;
   const double power = 0.5 * (exponent + 4);
-  const double scale = std::sqrt((1 + mu * mu) / power) / mu;
-  return sin_theta * mu_lambda_by_quadrature([&](double r2) { return log_lobe(exponent, power, r2); }, mu, scale);
+  return sin_theta * a_lambda_by_quadrature([&](double r2) { return log_lobe(exponent, power, r2); }, p.c / sin_theta);
 }
 
 } // namespace brdfplot
