@@ -1,0 +1,75 @@
+/// \file
+/// The random walk on Smith's microsurface (Heitz et al. 2016): all bounces, on the surface that Smith's masking
+/// assumes.
+///
+/// A ray in the direction omega at the height h meets the surface with a rate that makes
+///   G1(omega, h) = C1(h)^Lambda(omega)   (their Eq. 5)
+/// the chance to leave it, C1 the cumulative distribution of heights. The next height h' has
+///   C1(h') = C1(h) (1 - xi)^(-1 / Lambda(omega))   (their Eq. 12), xi uniform; beyond 1 the ray has left,
+/// where Lambda(-omega) = -1 - Lambda(omega) for rays that fall. So the walk is written in C1(h) alone, and is the same
+/// for Gaussian, uniform and any other heights (which the tests show by walking through both in heights).
+#pragma once
+
+#include "brdf/material.hpp"
+#include "math/direction.hpp"
+#include "simulation/statistics.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace brdfplot::simulation {
+
+/// What a facet does with light.
+enum class Facets {
+  conductor,  ///< reflects, weighted by the material's Fresnel term (first channel)
+  dielectric, ///< reflects or refracts; the Fresnel term must be `dielectric`
+  diffuse,    ///< scatters by Lambert's law with albedo 1
+};
+
+/// Bounces are counted one by one up to here, the rest together.
+inline constexpr std::size_t bounce_classes = 8;
+
+struct WalkRequest {
+  Direction omega_o{0, 0, 1};
+  std::vector<Direction> omega_i; ///< where the lobe is wanted; below the horizon: what is transmitted
+  std::size_t paths = 65536;      ///< rounded up to a multiple of the number of chunks, 64
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
+/// Paths go in so many chunks, one after the other within each: fixed, so that results do not depend on threads.
+inline constexpr std::size_t walk_chunks = 64;
+
+/// What a walk measured: for each quantity one estimate a chunk. Index 0 of `bounces` is the first bounce, the last one
+/// all from bounce_classes on.
+struct WalkResult {
+  using Estimates = std::vector<double>;
+  /// Energy that leaves upwards, and downwards, after so many bounces.
+  std::array<Estimates, bounce_classes> reflected, transmitted;
+  /// Sum of the Fresnel reflectance at the k-th bounce over the rays that have one, and their share of all rays.
+  std::array<Estimates, bounce_classes> fresnel, hits;
+  /// rho(o, i) c_i of direction d by bounces: lobe[bounce][chunk * directions + d].
+  std::array<Estimates, bounce_classes> lobe;
+  std::size_t directions = 0;
+  std::size_t paths = 0;
+  std::size_t unfinished = 0; ///< paths that had not left after most_bounces; their energy is in no sum
+
+  /// Energy of bounces first..last (from 1; last = bounce_classes: and all after).
+  Measured energy(const std::array<Estimates, bounce_classes>& from, std::size_t first, std::size_t last) const;
+  /// The lobe in direction d.
+  Measured lobe_at(std::size_t d, std::size_t first, std::size_t last) const;
+  /// The mean Fresnel reflectance at bounce k (from 1) of the rays that have one; k = 1 is Eq. 105 of Heitz 2014.
+  Measured mean_fresnel(std::size_t k) const;
+};
+
+inline constexpr int most_bounces = 10000;
+
+/// Walks. The lobe is estimated at every vertex (phase function times G1), so that it is smooth: its values in
+/// different directions come from the same walks. Domain: distributions `beckmann` and `ggx`, with any roughness,
+/// correlation and mean slope; omega_o above the horizon of the mesosurface. \throws InputError for others, and where
+/// `facets` do not go with the Fresnel term; Interrupted.
+WalkResult walk(const Material& material, Facets facets, const WalkRequest& request);
+
+} // namespace brdfplot::simulation
