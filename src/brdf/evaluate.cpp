@@ -62,15 +62,33 @@ void load(Block& block, const Batch& batch, std::size_t first) {
   block.m = {block.half_x.data(), block.half_y.data(), block.half_z.data()};
 }
 
+/// c Lambda or c / G1 of a formula, which are wanted where the direction is above the mesosurface and sees the facet.
+void mask_by_formula(const CustomMasking& masking, const SlopeMap& map, const Block& block, const Columns& omega,
+                     Side& side) {
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const Projection p{side.c[k], side.s[k]};
+    const Direction direction = at(omega, k), m = at(block.m, k);
+    side.u[k] = 1;
+    side.t[k] = 0;
+    if (!(p.c > 0)) continue;
+    if (masking.has_lambda)
+      side.t[k] = masking.masked_area(map, p, direction);
+    else if (dot(direction, m) > 0 && m.z > 0)
+      side.u[k] = masking.unmasked_area(map, p, direction, m);
+  }
+}
+
 /// c, s, u and t of one side. t is 0 and u meaningless where c <= 0.
 void mask(const Material& material, const Block& block, const Columns& omega, Side& side) {
   const std::size_t n = block.n;
   kernels::project(material.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), n);
   std::visit(
       [&](const auto& distribution, const auto& masking) {
-        if constexpr (requires {
-                        masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
-                      }) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(masking)>, CustomMasking>) {
+          mask_by_formula(masking, material.slopes(), block, omega, side);
+        } else if constexpr (requires {
+                               masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
+                             }) {
           masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
         } else if constexpr (std::remove_cvref_t<decltype(masking)>::has_lambda) {
           for (std::size_t k = 0; k < n; ++k) side.t[k] = masking.masked_area({side.c[k], side.s[k]}, at(omega, k));

@@ -3,9 +3,10 @@
 ///
 /// Each has either (`has_lambda`) c Lambda, independent of the normal, as `masked_area(projection, omega)` or, over
 /// arrays, `masked_areas(distribution, c, s, t, n)`, or `unmasked_area(projection, o_dot_m, z_m)` = c / G1. Both are
-/// finite at grazing, where Lambda is not.
+/// finite at grazing, where Lambda is not. Only `custom` is asked with more, since a formula may use it.
 #pragma once
 
+#include "microfacet/masking/custom.hpp"
 #include "microfacet/masking/implicit.hpp"
 #include "microfacet/masking/kelemen.hpp"
 #include "microfacet/masking/schlick_smith.hpp"
@@ -23,6 +24,7 @@ using Masking = std::variant<Smith,                //
                              Implicit,             //
                              SchlickSmith,         //
                              SchlickSmithRational, //
-                             Kelemen>;
+                             Kelemen,              //
+                             CustomMasking>;
 
 } // namespace brdfplot

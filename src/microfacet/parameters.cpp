@@ -1,5 +1,6 @@
 #include "microfacet/parameters.hpp"
 
+#include "math/formula.hpp"
 #include "math/number.hpp"
 
 #include <algorithm>
@@ -24,6 +25,16 @@ std::vector<std::string> keys_of(const ModelSpec& spec) {
   return keys;
 }
 
+/// What is wrong with a formula, with what it may be made of.
+std::optional<std::string> problem_with_formula(const std::string& text, const std::vector<std::string>& variables) {
+  const auto problem = Formula::problem(text, variables);
+  if (!problem) return std::nullopt;
+  if (problem->unknown.empty()) return "the formula \"" + text + "\": " + problem->what;
+  std::vector<std::string> names = variables;
+  for (auto& name : names_in_formulas()) names.push_back(std::move(name));
+  return "the formula \"" + text + "\": " + unknown_name("name", problem->unknown, names);
+}
+
 std::optional<std::string> problem_with(const ParameterSpec& parameter, const Value& value) {
   const auto outside = [&](double x) -> std::optional<std::string> {
     if (parameter.bounds.contains(x)) return std::nullopt;
@@ -36,8 +47,9 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
   } else if (const auto* rgb = std::get_if<Rgb>(&value)) {
     for (const double x : *rgb)
       if (auto problem = outside(x)) return problem;
-  } else if (const auto& word = std::get<std::string>(value);
-             std::ranges::find(parameter.choices, word) == parameter.choices.end()) {
+  } else if (const auto& word = std::get<std::string>(value); parameter.kind == ParameterKind::formula) {
+    return problem_with_formula(word, parameter.choices);
+  } else if (std::ranges::find(parameter.choices, word) == parameter.choices.end()) {
     return unknown_name("value", word, parameter.choices);
   }
   return std::nullopt;
@@ -65,7 +77,7 @@ std::optional<ParameterError> problem_with_alternatives(const ModelSpec& spec, c
   if (!clash.empty()) return ParameterError{clash, "cannot stand beside \"" + first_given + "\"; " + accepted};
   if (whole == 0 && !first_given.empty())
     return ParameterError{"", "incomplete with \"" + first_given + "\" alone; " + accepted};
-  if (whole == 0) return ParameterError{"", "\"" + spec.type + "\" has no roughness; " + accepted};
+  if (whole == 0) return ParameterError{"", "\"" + spec.type + "\" lacks a parameter; " + accepted};
   return std::nullopt;
 }
 

@@ -22,7 +22,8 @@ enum class ParameterKind {
   number,
   number_or_rgb, ///< a scalar stands for three equal channels
   vec2,
-  choice, ///< one of `choices`
+  choice,  ///< one of `choices`
+  formula, ///< text: a formula (math/formula.hpp) of the variables `choices`
 };
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
