@@ -50,8 +50,8 @@ struct Format<double> {
   static constexpr double tiny = 0x1p-480, enlarge = 0x1p540, reduce = 0x1p-540;
   static constexpr int lift = 300; ///< see `scaled`
   static constexpr double lifted_smallest_normal = 0x1p-722;
-  static constexpr double largest_a = 30; ///< s Lambda is zero beyond it for s < 2^200
-  static constexpr double smallest_divisor = 0x1p-1000;
+  static constexpr double largest_a = 30;      ///< s Lambda is zero beyond it for s < 2^200
+  static constexpr double nothing = 0x1p-1014; ///< see `not_zero`
 };
 
 template <>
@@ -69,7 +69,7 @@ struct Format<float> {
   static constexpr int lift = 100;
   static constexpr float lifted_smallest_normal = 0x1p-26f;
   static constexpr float largest_a = 11; ///< for s < 2^20
-  static constexpr float smallest_divisor = 0x1p-120f;
+  static constexpr float nothing = 0x1p-126f;
 };
 
 template <class T>
@@ -92,6 +92,13 @@ BRDFPLOT_INLINE T smaller(T x, T y) {
 template <class T>
 BRDFPLOT_INLINE T larger(T x, T y) {
   return x > y ? x : y;
+}
+
+/// x, unless that is 0: a divisor. For x = 0 and x >= 2^-960 (float: 2^-101), which the sum rounds to. It costs one
+/// instruction, a maximum several: GCC spreads its comparison over what follows.
+template <class T>
+BRDFPLOT_INLINE T not_zero(T x) {
+  return x + Format<T>::nothing;
 }
 
 BRDFPLOT_INLINE double magnitude(double x) { return __builtin_fabs(x); }
@@ -176,10 +183,9 @@ BRDFPLOT_INLINE T every_other(const T (&c)[size], T x) {
 }
 
 /// c[0] + c[1] x + c[2] x^2 + ... as two chains, of the even and of the odd powers: one alone would leave the processor
-/// waiting for each step.
+/// waiting for each step. `square` is x x.
 template <class T, std::size_t size>
-BRDFPLOT_INLINE T polynomial(const T (&c)[size], T x) {
-  const T square = x * x;
+BRDFPLOT_INLINE T polynomial(const T (&c)[size], T x, T square) {
   return multiply_add(every_other<1>(c, square), x, every_other<0>(c, square));
 }
 
@@ -235,35 +241,49 @@ BRDFPLOT_INLINE T scaled(T m, T shifted_k) {
   return from_bits<T>(lifted < F::lifted_smallest_normal ? subnormal : bits(m) + k);
 }
 
-/// e^(x + low) = value 2^k, x <= 0 and low tiny: value in [0.7, 1.42], relative error below 1 ulp, k as its shifted
-/// sum. The low part joins the reduced argument, where it costs nothing.
+/// factor e^(x + low) = value 2^k, x <= 0 and low tiny: value in [0.7, 1.42] factor, relative error below 1 ulp, k as
+/// its shifted sum. The low part joins the reduced argument, where it costs nothing, and the factor the last addition.
 template <class T>
 struct Exponential {
   T value, shifted_k;
 };
 
 template <class T>
-BRDFPLOT_INLINE Exponential<T> exponential(T x, T low) {
+BRDFPLOT_INLINE Exponential<T> exponential(T x, T low, T factor) {
   using F = Format<T>;
   const T shifted_k = multiply_add(x, F::inverse_ln2, integer_shift<T>);
   const T k = shifted_k - integer_shift<T>;
   const T r = multiply_add(-k, F::ln2_high, x) + multiply_add(-k, F::ln2_low, low);
-  return {multiply_add(r * r, polynomial(ExponentialFit<T>::g, r), r) + 1, shifted_k};
+  const T square = r * r;
+  return {multiply_add(multiply_add(square, polynomial(ExponentialFit<T>::g, r, square), r), factor, factor),
+          shifted_k};
 }
 
-/// a Lambda(a) e^(a^2) 2 sqrt(pi) = numerator / denominator of the Beckmann distribution: R of
-/// microfacet/beckmann_lambda.hpp. `square_low` is what a a, rounded, lacks of the true square.
+/// a Lambda(a) e^(a^2) 4 sqrt(pi) = numerator / denominator of the Beckmann distribution: twice the R of
+/// microfacet/beckmann_lambda.hpp. `square` is a a, rounded, and `square_low` what it lacks of the true square.
 template <class T>
 struct Quotient {
   T numerator, denominator;
 };
 
+/// Half the coefficients N of that R, which saves doubling the other terms of its denominator.
 template <class T>
-BRDFPLOT_INLINE Quotient<T> scaled_beckmann_lambda(T a, T square_low) {
-  const T n = polynomial(BeckmannLambdaFit<T>::numerator, a);
-  const T m = polynomial(BeckmannLambdaFit<T>::denominator, a);
-  const T twice_square_plus_1 = multiply_add(a + a, a, T(1));
-  return {m, multiply_add(twice_square_plus_1, m, multiply_add(square_low + square_low, m, a * n))};
+struct HalfNumerator {
+  static constexpr std::size_t size = sizeof(BeckmannLambdaFit<T>::numerator) / sizeof(T);
+  T values[size];
+  constexpr HalfNumerator() : values{} {
+    for (std::size_t k = 0; k < size; ++k) values[k] = BeckmannLambdaFit<T>::numerator[k] / 2;
+  }
+};
+template <class T>
+inline constexpr HalfNumerator<T> half_numerator;
+
+template <class T>
+BRDFPLOT_INLINE Quotient<T> scaled_beckmann_lambda(T a, T square, T square_low) {
+  const T half_n = polynomial(half_numerator<T>.values, a, square);
+  const T m = polynomial(BeckmannLambdaFit<T>::denominator, a, square);
+  const T square_plus_half = multiply_add(a, a, T(0.5));
+  return {m, multiply_add(square_plus_half, m, multiply_add(square_low, m, a * half_n))};
 }
 
 } // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE

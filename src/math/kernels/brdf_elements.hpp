@@ -41,7 +41,7 @@ struct SlopeExponential {
 BRDFPLOT_INLINE SlopeExponential slope_exponential(double n2, double z) {
   const double z2 = z * z, least = n2 * (1.0 / 900);
   const double inverse = 1 / larger(z2, least);
-  const Exponential<double> e = exponential(-(n2 * inverse), 0.0);
+  const Exponential<double> e = exponential(-(n2 * inverse), 0.0, 1.0);
   return {{z2 < least ? 0 : e.value, e.shifted_k}, inverse};
 }
 
@@ -142,10 +142,11 @@ struct BeckmannSide {
 /// For the same reason a need not exceed 26, where e^(-a^2) is still normal.
 BRDFPLOT_INLINE BeckmannSide beckmann_side(double s, double a_unbounded) {
   const double a = smaller(magnitude(a_unbounded), 26.0);
-  const Quotient<double> r = scaled_beckmann_lambda(a, 0.0);
-  const Exponential<double> e = exponential(-(a * a), 0.0);
+  const double square = a * a;
+  const Quotient<double> r = scaled_beckmann_lambda(a, square, 0.0);
+  const Exponential<double> e = exponential(-square, 0.0, quarter_over_root_pi<double>);
   const auto gauss = from_bits<double>(bits(e.value) + exponent_bits(e.shifted_k));
-  return {(s * half_over_root_pi<double>)*(gauss * r.numerator), r.denominator};
+  return {s * (gauss * r.numerator), r.denominator};
 }
 
 /// G2 / (c_o c_i) = high / low, without a division.

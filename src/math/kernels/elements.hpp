@@ -11,9 +11,9 @@ namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
 template <class T>
 using Constants = detail::StretchConstants<T>;
 
-/// 1 / (2 sqrt(pi))
+/// 1 / (4 sqrt(pi))
 template <class T>
-inline constexpr T half_over_root_pi = T(0x1.20dd750429b6dp-2);
+inline constexpr T quarter_over_root_pi = T(0x1.20dd750429b6dp-3);
 
 template <class T>
 struct Vector {
@@ -51,49 +51,44 @@ BRDFPLOT_INLINE T length(T x, T y) {
   return root(multiply_add(u, u, v * v)) * down;
 }
 
-/// |c| / s, at most largest_a, where Lambda is zero.
+/// c / s, at most largest_a, where Lambda is zero.
 template <class T>
 struct Ratio {
-  T a, square_low; ///< a, and (c / s)^2 - a a to first order
+  T a, square, square_low; ///< a, a a, and (c / s)^2 - a a to first order
 };
 
+/// c >= 0.
 template <class T>
 BRDFPLOT_INLINE Ratio<T> ratio(T c, T s) {
-  const T divisor = larger(s, Format<T>::smallest_divisor);
-  const T dividend = smaller(magnitude(c), Format<T>::largest_a * divisor);
+  const T divisor = not_zero(s);
+  const T dividend = smaller(c, Format<T>::largest_a * divisor);
   const T inverse = 1 / divisor;
   const T a = dividend * inverse;
   const T a_low = residual(dividend, a, divisor) * inverse;
-  return {a, multiply_add(a + a, a_low, product_low(a, a, a * a))};
+  const T square = a * a;
+  return {a, square, multiply_add(a + a, a_low, product_low(a, a, square))};
 }
 
-/// The same for a ratio that is given as such.
+/// The same for a ratio that is given as such, not negative.
 template <class T>
 BRDFPLOT_INLINE Ratio<T> ratio_of(T given) {
-  const T a = smaller(magnitude(given), Format<T>::largest_a);
-  return {a, product_low(a, a, a * a)};
+  const T a = smaller(given, Format<T>::largest_a);
+  const T square = a * a;
+  return {a, square, product_low(a, a, square)};
 }
 
-/// The last step of the Beckmann masked area: s e^(-a^2) R(a) / (2 sqrt(pi)).
+/// The last step of the Beckmann masked area, s e^(-a^2) R(a) / (2 sqrt(pi)): the exponential has the factor.
 template <class T>
 BRDFPLOT_INLINE T masked_area_beckmann(T c, T s, const Exponential<T>& e, const Quotient<T>& r) {
-  const T m = s * (half_over_root_pi<T> * e.value) * (r.numerator / r.denominator);
+  const T m = s * e.value * (r.numerator / r.denominator);
   return scaled(m, e.shifted_k) + larger(-c, T(0));
 }
 
-/// The same for Lambda.
+/// The same for Lambda: infinite for a = 0.
 template <class T>
-BRDFPLOT_INLINE T lambda_beckmann(T c, T s, const Exponential<T>& e, const Quotient<T>& r) {
-  const T dividend = smaller(c, Format<T>::largest_a * larger(s, Format<T>::smallest_divisor));
-  const T m = (s * (half_over_root_pi<T> * e.value) * r.numerator) / (dividend * r.denominator);
-  return c > 0 ? scaled(m, e.shifted_k) : T(__builtin_inf());
-}
-
-/// The same for a given a.
-template <class T>
-BRDFPLOT_INLINE T lambda_beckmann_of(T a, const Exponential<T>& e, const Quotient<T>& r) {
-  const T m = ((half_over_root_pi<T> * e.value) * r.numerator) / (smaller(a, Format<T>::largest_a) * r.denominator);
-  return a > 0 ? scaled(m, e.shifted_k) : T(__builtin_inf());
+BRDFPLOT_INLINE T lambda_beckmann(T a, const Exponential<T>& e, const Quotient<T>& r) {
+  const T m = (e.value * r.numerator) / (a * r.denominator);
+  return scaled(m, e.shifted_k);
 }
 
 /// sqrt(c^2 + s^2) of the numbers scaled to the larger one.
@@ -113,8 +108,8 @@ BRDFPLOT_INLINE Hypotenuse<T> hypotenuse(T c, T s) {
 template <class T>
 BRDFPLOT_INLINE T masked_area_ggx(T c, T s) {
   const Hypotenuse<T> h = hypotenuse(c, s);
-  // The first factor keeps the size of s, so that only true underflow is underflow; the limit is for c = s = 0.
-  return s * ((T(0.5) * h.s) / larger(h.c + h.root, Format<T>::smallest_divisor)) + larger(-c, T(0));
+  // The first factor keeps the size of s, so that only true underflow is underflow.
+  return s * ((T(0.5) * h.s) / not_zero(h.c + h.root)) + larger(-c, T(0));
 }
 
 template <class T>
@@ -134,14 +129,14 @@ BRDFPLOT_INLINE T walter(T c, T s, T factor) {
 template <class T>
 BRDFPLOT_INLINE T masked_area_walter(T c, T s) {
   const T factor = normalizer(s);
-  const T scaled_s = larger(s * factor, Format<T>::smallest_divisor);
+  const T scaled_s = not_zero(s * factor);
   return walter(smaller(magnitude(c) * factor, 2 * scaled_s), scaled_s, s) + larger(-c, T(0));
 }
 
 template <class T>
 BRDFPLOT_INLINE T lambda_walter(T c, T s) {
   const T factor = normalizer(s);
-  const T scaled_s = larger(s * factor, Format<T>::smallest_divisor);
+  const T scaled_s = not_zero(s * factor);
   const T scaled_c = smaller(magnitude(c) * factor, 2 * scaled_s);
   return c > 0 ? walter(scaled_c, scaled_s, scaled_s / scaled_c) : T(__builtin_inf());
 }

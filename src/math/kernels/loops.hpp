@@ -110,45 +110,58 @@ void over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, st
   for (std::size_t j = 0; j < n; ++j) out[j] = function(c[j], s[j]);
 }
 
-/// Where a Beckmann kernel finds a, and what it makes of the parts of Lambda: over arrays of c and s.
-template <class T, T (*last_step)(T, T, const Exponential<T>&, const Quotient<T>&)>
-struct BeckmannOverCs {
+/// Where a Beckmann kernel finds a, and what it makes of the parts of Lambda: the masked area of arrays of c and s.
+template <class T>
+struct AreaOverCs {
   const T* __restrict c;
   const T* __restrict s;
   T* __restrict out;
-  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio(c[j], s[j]); }
-  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, const Exponential<T>& e, const Quotient<T>& r) const {
-    out[j] = last_step(c[j], s[j], e, r);
+  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio(magnitude(c[j]), s[j]); }
+  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, T, const Exponential<T>& e, const Quotient<T>& r) const {
+    out[j] = masked_area_beckmann(c[j], s[j], e, r);
   }
 };
 
-/// The same over an array of a.
+/// Lambda of arrays of c and s. Below the horizon a is 0, where Lambda is infinite.
 template <class T>
-struct BeckmannOverA {
+struct LambdaOverCs {
+  const T* __restrict c;
+  const T* __restrict s;
+  T* __restrict out;
+  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio(larger(c[j], T(0)), s[j]); }
+  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, T a, const Exponential<T>& e, const Quotient<T>& r) const {
+    out[j] = lambda_beckmann(a, e, r);
+  }
+};
+
+/// Lambda of an array of a.
+template <class T>
+struct LambdaOverA {
   const T* __restrict a;
   T* __restrict out;
-  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio_of(a[j]); }
-  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, const Exponential<T>& e, const Quotient<T>& r) const {
-    out[j] = lambda_beckmann_of(a[j], e, r);
+  BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio_of(larger(a[j], T(0))); }
+  BRDFPLOT_INLINE_MEMBER void finish(std::size_t j, T bounded_a, const Exponential<T>& e, const Quotient<T>& r) const {
+    out[j] = lambda_beckmann(bounded_a, e, r);
   }
 };
 
 /// A block of Beckmann's masked area or Lambda on its way through four steps.
 template <class T>
 struct BeckmannBlock {
-  Column<T> a, square_low, value, shifted_k, numerator, denominator;
+  Column<T> a, square, square_low, value, shifted_k, numerator, denominator;
 
   BRDFPLOT_INLINE_MEMBER void first_step(std::size_t j, const Ratio<T>& r) {
     a[j] = r.a;
+    square[j] = r.square;
     square_low[j] = r.square_low;
   }
   BRDFPLOT_INLINE_MEMBER void exponential_step(std::size_t j) {
-    const Exponential<T> e = exponential(-(a[j] * a[j]), -square_low[j]);
+    const Exponential<T> e = exponential(-square[j], -square_low[j], quarter_over_root_pi<T>);
     value[j] = e.value;
     shifted_k[j] = e.shifted_k;
   }
   BRDFPLOT_INLINE_MEMBER void quotient_step(std::size_t j) {
-    const Quotient<T> r = scaled_beckmann_lambda(a[j], square_low[j]);
+    const Quotient<T> r = scaled_beckmann_lambda(a[j], square[j], square_low[j]);
     numerator[j] = r.numerator;
     denominator[j] = r.denominator;
   }
@@ -169,7 +182,7 @@ void finish(BeckmannBlock<T>& b, const Arrays& arrays, std::size_t first, std::s
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) b.quotient_step(j);
   BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < size; ++j) arrays.finish(first + j, b.exponential_of(j), b.quotient_of(j));
+  for (std::size_t j = 0; j < size; ++j) arrays.finish(first + j, b.a[j], b.exponential_of(j), b.quotient_of(j));
 }
 
 /// Begins `next`, which starts at `first`, and finishes `last`, the block before it. A loop that divides for the one
@@ -183,7 +196,7 @@ void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const Arra
   }
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < block_size; ++j) {
-    arrays.finish(first - block_size + j, last.exponential_of(j), last.quotient_of(j));
+    arrays.finish(first - block_size + j, last.a[j], last.exponential_of(j), last.quotient_of(j));
     next.exponential_step(j);
   }
 }
@@ -206,14 +219,14 @@ void beckmann_all(const Arrays& arrays, std::size_t n) {
   finish(blocks[0], arrays, whole, n - whole);
 }
 
-template <class T, T (*last_step)(T, T, const Exponential<T>&, const Quotient<T>&)>
+template <class T, class Arrays>
 void beckmann_over_cs(const T* c, const T* s, T* out, std::size_t n) {
-  beckmann_all<T>(BeckmannOverCs<T, last_step>{c, s, out}, n);
+  beckmann_all<T>(Arrays{c, s, out}, n);
 }
 
 template <class T>
 void beckmann_over_a(const T* a, T* out, std::size_t n) {
-  beckmann_all<T>(BeckmannOverA<T>{a, out}, n);
+  beckmann_all<T>(LambdaOverA<T>{a, out}, n);
 }
 
 template <class T>
@@ -253,10 +266,10 @@ constexpr detail::Kernels<T> kernels_of() {
   detail::Kernels<T> table{};
   add_stretched<T, false>(table);
   add_stretched<T, true>(table);
-  table.masked_area_beckmann = beckmann_over_cs<T, masked_area_beckmann<T>>;
+  table.masked_area_beckmann = beckmann_over_cs<T, AreaOverCs<T>>;
   table.masked_area_ggx = over_cs<T, masked_area_ggx<T>>;
   table.masked_area_walter = over_cs<T, masked_area_walter<T>>;
-  table.lambda_beckmann = beckmann_over_cs<T, lambda_beckmann<T>>;
+  table.lambda_beckmann = beckmann_over_cs<T, LambdaOverCs<T>>;
   table.lambda_ggx = over_cs<T, lambda_ggx<T>>;
   table.lambda_walter = over_cs<T, lambda_walter<T>>;
   table.lambda_beckmann_of_a = beckmann_over_a<T>;
