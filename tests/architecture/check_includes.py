@@ -13,7 +13,8 @@ from pathlib import Path
 LAYERS = ["math", "microfacet", "brdf", "analysis", "simulation", "plot", "config", "cli"]
 GENERATED = {"version.hpp"}
 # A third-party header: who may include it. None stands for every source file, but no header.
-THIRD_PARTY = {"CLI": {"cli"}, "nlohmann": {"config"}, "Eigen": None, "boost": None, "muParser.h": None}
+THIRD_PARTY = {"CLI": {"cli"}, "nlohmann": {"config"}, "Eigen": None, "boost": None, "muParser.h": None,
+               "embree3": None, "tbb": None, "fftw3.h": None, "png.h": None}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]')
 
 

@@ -38,7 +38,7 @@ file(WRITE "${WORK_DIR}/all.cpp" "${includes}\n")
 run("${CXX_COMPILER}" -std=c++20 -fsyntax-only -Wall -Wextra -Werror "-I${prefix}/include/brdfplot"
     "${WORK_DIR}/all.cpp")
 foreach(header IN LISTS headers)
-  file(STRINGS "${prefix}/include/brdfplot/${header}" third_party REGEX "^ *# *include *<(nlohmann|boost|Eigen|CLI)/")
+  file(STRINGS "${prefix}/include/brdfplot/${header}" third_party REGEX "^ *# *include *<(nlohmann|boost|Eigen|CLI|embree3|tbb)/")
   if(third_party)
     message(FATAL_ERROR "An installed header, ${header}, has ${third_party}")
   endif()
