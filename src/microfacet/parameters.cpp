@@ -149,7 +149,8 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
 
 std::string unknown_name(std::string_view what, std::string_view name, const std::vector<std::string>& accepted) {
   std::string text = "unknown " + std::string(what) + " \"" + std::string(name) + "\"";
-  if (const auto near = nearest(name, accepted)) text += "; did you mean \"" + *near + "\"?";
+  const auto near = nearest(name, accepted);
+  text += near ? "; did you mean \"" + *near + "\"?" : ";";
   return text + " accepted: " + (accepted.empty() ? "none" : join(accepted, ", "));
 }
 

@@ -1,5 +1,6 @@
 #include "plot/term.hpp"
 
+#include "math/interrupt.hpp"
 #include "math/number.hpp"
 #include "microfacet/registry.hpp"
 
@@ -183,6 +184,7 @@ void TermFunction::require_directions(const Configuration::Ready& ready) const {
 void TermFunction::check(const std::vector<double>& values) const { require_directions(configure(values)); }
 
 double TermFunction::operator()(const std::vector<double>& values) const {
+  throw_if_interrupted();
   const auto ready = configure(values);
   require_directions(ready);
   if (integral_) return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);

@@ -106,7 +106,7 @@ TEST_CASE("figures: names that nothing has, at the name") {
       {R"("series": [{"quantity": "d", "material": "gols"}])",
        R"("materials": {"gold": {"distribution": {"type": "ggx", "alpha": 1}}})", "/panels/0/series/0/material",
        "unknown material \"gols\"; did you mean \"gold\"?"},
-      {"", R"("material": "gold")", "/material", "unknown material \"gold\" accepted: none"},
+      {"", R"("material": "gold")", "/material", "unknown material \"gold\"; accepted: none"},
   });
 }
 
