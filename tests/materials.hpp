@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace test {
 
@@ -46,6 +49,42 @@ inline Material gtr(double alpha, double gamma) {
   MaterialDescription description = describe("gtr", alpha);
   description.distribution.values.set("gamma", gamma);
   return build(description);
+}
+
+/// One distribution with all its parameters, by key.
+inline MaterialDescription distribution(const std::string& type,
+                                        const std::vector<std::pair<std::string, double>>& values) {
+  MaterialDescription description;
+  description.name = type;
+  description.distribution.type = type;
+  for (const auto& [key, value] : values) {
+    description.distribution.values.set(key, value);
+    description.name += ", " + key + " = " + std::to_string(value);
+  }
+  return description;
+}
+
+/// Distributions of every type in the list, ordinary and less so.
+inline std::vector<MaterialDescription> every_distribution() {
+  std::vector<MaterialDescription> all;
+  for (const double alpha : {0.02, 0.5, 3.0}) {
+    for (const auto* type : {"beckmann", "ggx", "velvet", "sheen", "ward", "gaussian"})
+      all.push_back(distribution(type, {{"alpha", alpha}}));
+    all.push_back(distribution("gtr", {{"alpha", alpha}, {"gamma", 1.5}}));
+    for (const double gamma : {1.7, 4.0, 100.0})
+      all.push_back(distribution("student_t", {{"alpha", alpha}, {"gamma", gamma}}));
+    for (const double p : {0.4, 2.0}) all.push_back(distribution("exponential_power", {{"alpha", alpha}, {"p", p}}));
+  }
+  all.push_back(distribution("phong", {{"exponent", 30}}));
+  all.push_back(distribution("velvet", {{"alpha", 0.3}, {"amplitude", 100}}));
+  for (const auto& [type, key, value] :
+       {std::tuple("beckmann", "", 0.0), std::tuple("ggx", "", 0.0), std::tuple("student_t", "gamma", 2.5),
+        std::tuple("exponential_power", "p", 0.5)}) {
+    MaterialDescription description = general(type, 0.2, 0.6, -0.5, {0.2, -0.1});
+    if (*key != 0) description.distribution.values.set(key, value);
+    all.push_back(description);
+  }
+  return all;
 }
 
 inline MaterialDescription shadowed(MaterialDescription description, const std::string& type,

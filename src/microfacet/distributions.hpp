@@ -3,17 +3,29 @@
 #pragma once
 
 #include "microfacet/distributions/beckmann.hpp"
+#include "microfacet/distributions/exponential_power.hpp"
+#include "microfacet/distributions/gaussian.hpp"
 #include "microfacet/distributions/ggx.hpp"
 #include "microfacet/distributions/gtr.hpp"
 #include "microfacet/distributions/phong.hpp"
+#include "microfacet/distributions/sheen.hpp"
+#include "microfacet/distributions/student_t.hpp"
+#include "microfacet/distributions/velvet.hpp"
+#include "microfacet/distributions/ward.hpp"
 
 #include <variant>
 
 namespace brdfplot {
 
-using Distribution = std::variant<Beckmann, //
-                                  Ggx,      //
-                                  Phong,    //
-                                  Gtr>;
+using Distribution = std::variant<Beckmann,         //
+                                  Ggx,              //
+                                  Phong,            //
+                                  Gtr,              //
+                                  StudentT,         //
+                                  ExponentialPower, //
+                                  Velvet,           //
+                                  Sheen,            //
+                                  Ward,             //
+                                  Gaussian>;
 
 } // namespace brdfplot

@@ -4,44 +4,58 @@
 
 #include "microfacet/slopes.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 namespace brdfplot {
 
-/// A distribution made of a unit-roughness shape and a map of slopes. `Shape` has, all static:
-/// - `ModelSpec about()`: type, doc and source;
+/// A distribution made of a unit-roughness shape and a map of slopes. `Shape` has
+/// - `static ModelSpec about()`: type, doc, source, and the shape's own parameters where it has some;
+/// - `static Shape from(const Values&)`, where it has parameters;
 /// - `double density(double t2)`: slope density at squared norm t2, Eq. 65 with alpha = 1;
-/// - `double scaled_density(double n2, double z2)`: density(n2 / z2) / z2^2, finite for z2 -> 0;
+/// - `double scaled_density(double n2, double z2)`: density(n2 / z2) / z2^2, for z2 -> 0 as finite as D is;
 /// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity];
 /// - where there are kernels for it: `masked_areas` and `densities`, the same over arrays, and `kernel`, its name
 /// there.
+/// The functions of a shape without parameters are static, and the shape takes no room.
 template <class Shape>
 struct ShapeInvariant {
   SlopeMap slopes;
+  [[no_unique_address]] Shape shape{};
 
   static ModelSpec spec() {
     ModelSpec spec = Shape::about();
-    spec.parameters = SlopeMap::parameters();
+    const std::vector<ParameterSpec> map = SlopeMap::parameters();
+    spec.parameters.insert(spec.parameters.begin(), map.begin(), map.end());
     spec.alternatives = SlopeMap::alternatives();
     return spec;
   }
-  static ShapeInvariant from(const Values& values) { return {SlopeMap::from(values)}; }
+  static ShapeInvariant from(const Values& values) {
+    if constexpr (requires { Shape::from(values); })
+      return {SlopeMap::from(values), Shape::from(values)};
+    else
+      return {SlopeMap::from(values)};
+  }
   static constexpr bool shape_invariant = true;
   using UnitShape = Shape;
 
   /// P22 at a slope (Eqs. 74, 95; 1).
   double p22(double slope_x, double slope_y) const {
-    return Shape::density(slopes.scaled_norm2({-slope_x, -slope_y, 1})) / slopes.determinant();
+    return shape.density(slopes.scaled_norm2({-slope_x, -slope_y, 1})) / slopes.determinant();
   }
 
   /// D(omega_m) = P22 / cos^4 (Eq. 64; 1/sr); 0 for normals below the geometric surface.
   double density(const Direction& omega_m) const {
     if (!(omega_m.z > 0)) return 0;
-    return Shape::scaled_density(slopes.scaled_norm2(omega_m), omega_m.z * omega_m.z) / slopes.determinant();
+    return shape.scaled_density(slopes.scaled_norm2(omega_m), omega_m.z * omega_m.z) / slopes.determinant();
   }
 
-  /// c Lambda(a) = s a Lambda(a), the area that the masked facets project; finite at grazing, 0 at the normal. c >= 0.
-  double masked_area(const Projection& p) const { return p.s > 0 ? p.s * Shape::a_lambda(p.c / p.s) : 0; }
+  /// c Lambda(a) = s a Lambda(a), the area that the masked facets project; finite at grazing, 0 at the normal. Below
+  /// the horizon of the mesosurface Lambda(-a) = -1 - Lambda(a), so that it is |c| more.
+  double masked_area(const Projection& p) const {
+    const double below = p.c < 0 ? -p.c : 0;
+    return p.s > 0 ? below + p.s * shape.a_lambda(std::fabs(p.c) / p.s) : below;
+  }
 
   /// masked_area() of n projections.
   void masked_areas(const double* c, const double* s, double* t, std::size_t n) const {

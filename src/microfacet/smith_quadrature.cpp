@@ -86,7 +86,8 @@ Estimate bisection(const SmithIntegrand& integrand) {
 double a_lambda_by_quadrature(const LogDensity& log_density, double a) {
   if (a > 1e75) return 0;
   const SmithIntegrand integrand(log_density, a);
-  if (integrand.reference() == -infinite) return 0;
+  // Below e^-2000 the result is 0 whatever the integral is, and the rounding of the logarithm leaves no digits of that.
+  if (integrand.reference() < -2000) return 0;
   Estimate integral = double_exponential(integrand);
   if (!(integral.error <= 1e-10 * integral.value)) integral = bisection(integrand);
   if (!(integral.error <= 1e-10 * integral.value) && integral.value > 0)

@@ -1,5 +1,6 @@
 // What every distribution must satisfy, for all of the list, and what is particular to some.
 #include "../materials.hpp"
+#include "analysis/integrals.hpp"
 #include "math/quadrature.hpp"
 #include "microfacet/registry.hpp"
 
@@ -34,6 +35,74 @@ double area(const Material& m, double width, double phi_step = 0.098174770424681
 }
 
 } // namespace
+
+TEST_CASE("the distributions of these tests are all that there are") {
+  std::set<std::string> tested;
+  for (const auto& description : every_distribution()) tested.insert(description.distribution.type);
+  for (const auto& spec : specs_of<Distribution>()) CHECK_MESSAGE(tested.count(spec.type) == 1, spec.type);
+}
+
+TEST_CASE("every distribution of the list: int D cos = 1") {
+  for (const auto& description : every_distribution()) {
+    INFO(description.name);
+    const Material m = build(description);
+    const SlopeMap& map = m.slopes();
+    const bool symmetric = map.centred() && map.correlation == 0 && map.alpha_x == map.alpha_y;
+    const double step = symmetric ? std::numbers::pi : 0.02454369260617026;
+    CHECK(area(m, std::min(map.alpha_x, map.alpha_y), step) == doctest::Approx(1).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("every distribution of the list: p22 is D cos^4, and D is finite and 0 below the surface") {
+  for (const auto& description : every_distribution()) {
+    INFO(description.name);
+    const Material m = build(description);
+    for (const double theta : {0.0, 1e-300, 1e-9, 0.3, 0.9, 1.3, 1.5707, std::numbers::pi / 2, 1.6, 3.0}) {
+      const Direction normal = from_angles(theta, 0.7);
+      const double d = value_at_normal(m, Quantity::d, {0, 0, 1}, normal);
+      CHECK(std::isfinite(d));
+      CHECK(d >= 0);
+      if (theta > std::numbers::pi / 2) CHECK(d == 0);
+      const double p22 = value_at_normal(m, Quantity::p22, {0, 0, 1}, normal);
+      if (theta < 1.5 && p22 > 1e-280)
+        CHECK(relative(p22, d * std::pow(normal.z, 4)) < 1e-12 * (1 + std::fabs(std::log(p22))));
+    }
+  }
+}
+
+TEST_CASE("every distribution of the list: Lambda is 0 at the normal, falls towards it, and c Lambda ends finite") {
+  for (const auto& description : every_distribution()) {
+    INFO(description.name);
+    const Material m = build(description);
+    double before = 0;
+    for (const double theta : {0.0, 1e-8, 0.01, 0.2, 0.8, 1.2, 1.5, 1.57, 1.5707963}) {
+      const Direction o = from_angles(theta, 0.4);
+      const double c = m.slopes().project(o).c;
+      if (!(c > 0)) continue;
+      const double is = lambda(m, o);
+      CHECK(is >= before);
+      CHECK(std::isfinite(c * is));
+      if (theta == 0) CHECK(is == 0);
+      before = is;
+    }
+  }
+}
+
+TEST_CASE("every distribution of the list: visible normals are normalised at phi = 0, 45, 90 degrees") {
+  for (const auto& description : every_distribution()) {
+    const Material m = build(description);
+    for (const double phi : {0.0, 45.0, 90.0})
+      for (const double theta : {0.1, 1.0, 1.5}) {
+        INFO(description.name << ", theta = " << theta << ", phi = " << phi);
+        const Direction o = from_angles(theta, phi * degree);
+        if (!(m.slopes().project(o).c > 0)) continue;
+        const Estimate norm = compute(Integral::visible_norm, m, o, 1e-8);
+        // Normals whose density is infinite at the horizon (student_t, gamma < 2) take the integral longer than it has.
+        CHECK(norm.error <= (description.distribution.type == "student_t" ? 1e-5 : 1e-8));
+        CHECK(std::fabs(norm.value - 1) <= norm.error);
+      }
+  }
+}
 
 TEST_CASE("every distribution is normalised: int D cos = 1") {
   for (const auto* type : {"beckmann", "ggx"})

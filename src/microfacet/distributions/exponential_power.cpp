@@ -1,0 +1,29 @@
+#include "microfacet/distributions/exponential_power.hpp"
+
+#include <boost/math/special_functions/gamma.hpp>
+
+#include <numbers>
+
+namespace brdfplot {
+
+ModelSpec ExponentialPowerShape::about() {
+  return {.type = "exponential_power",
+          .doc = "slopes exp(-t^(2p)): p = 1 is Beckmann, less has a sharper peak and a longer tail",
+          .source = "Holzschuch and Pacanowski 2017, Eqs. 34-38; Lambda by quadrature",
+          .parameters = {{.key = "p", .bounds = {.min = 0.1, .max = 10}, .doc = "power of the squared slope"}}};
+}
+
+ExponentialPowerShape ExponentialPowerShape::from(const Values& values) {
+  const double p = values.number("p");
+  const double log_peak = std::log(p * std::numbers::inv_pi) - boost::math::lgamma(1 / p);
+  return {p, log_peak, ALambdaTable([=](double t2) { return log_peak - std::pow(t2, p); })};
+}
+
+double ExponentialPowerShape::density(double t2) const { return std::exp(log_peak - std::pow(t2, power)); }
+
+double ExponentialPowerShape::scaled_density(double n2, double z2) const {
+  const double numerator = density(n2 / z2);
+  return numerator > 0 ? numerator / (z2 * z2) : 0;
+}
+
+} // namespace brdfplot

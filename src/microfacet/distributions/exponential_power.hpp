@@ -1,0 +1,28 @@
+/// \file
+/// The exponential power distribution of slopes (Holzschuch and Pacanowski 2017).
+#pragma once
+
+#include "microfacet/a_lambda_table.hpp"
+#include "microfacet/shape_invariant.hpp"
+
+namespace brdfplot {
+
+/// P22 = p exp(-t2^p) / (pi Gamma(1 / p)) at alpha = 1 (their beta); p = 1 is Beckmann, p = 1/2 falls like exp(-t).
+struct ExponentialPowerShape {
+  double power = 1;
+  double log_peak = 0; ///< ln of P22 at 0
+  ALambdaTable table;
+
+  static ModelSpec about();
+  static ExponentialPowerShape from(const Values& values);
+
+  double density(double t2) const;
+  double scaled_density(double n2, double z2) const;
+  /// a Lambda(a) from a table of the quadrature of these slopes: there is no general closed form. Domain a in [0,
+  /// infinity]; relative error 1e-10.
+  double a_lambda(double a) const { return table(a); }
+};
+
+using ExponentialPower = ShapeInvariant<ExponentialPowerShape>;
+
+} // namespace brdfplot

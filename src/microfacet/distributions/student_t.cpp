@@ -1,0 +1,65 @@
+#include "microfacet/distributions/student_t.hpp"
+
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace brdfplot {
+
+namespace {
+
+/// a^2 T of Gauss's continued fraction 2F1(1/2, 1; g + 1; -g / a^2) = 1 / (1 + k_1 g / (a^2 T)), a >= 2:
+/// a^2 + k_2 g / (1 + k_3 g / (a^2 + k_4 g / (1 + ...))), k_2n = n (g + n - 1/2) / ((g + 2n - 1) (g + 2n)),
+/// k_2n+1 = (n + 1/2) (g + n) / ((g + 2n) (g + 2n + 1)).
+double gauss_tail(double g, double a2) {
+  // Slowest for g -> infinity, where it is that of erfc: exp(-4 a sqrt(n)) after n pairs.
+  const int pairs = 3 + static_cast<int>(108 / a2);
+  double tail = a2;
+  for (int n = pairs; n > 0; --n) {
+    const double odd = (n + 0.5) * ((g + n) / (g + 2 * n)) * (g / (g + 2 * n + 1));
+    const double even = n * ((g + n - 0.5) / (g + 2 * n - 1)) * (g / (g + 2 * n));
+    tail = a2 + even / (1 + odd / tail);
+  }
+  return tail;
+}
+
+} // namespace
+
+ModelSpec StudentTShape::about() {
+  return {.type = "student_t",
+          .doc = "Student's t distributed slopes: gamma = 2 is GGX, gamma to infinity Beckmann",
+          .source = "Ribardiere et al. 2017, Eqs. 6-13; Lambda exact by the incomplete beta function",
+          .parameters = {{.key = "gamma",
+                          .bounds = {.min = 1.5, .max = 1e15, .open_min = true},
+                          .doc = "exponent of the tail, slopes fall like t^(-2 gamma)"}}};
+}
+
+StudentTShape StudentTShape::from(const Values& values) {
+  const double gamma = values.number("gamma");
+  const double g = gamma - 1;
+  return {gamma, std::sqrt(g * std::numbers::inv_pi) / (boost::math::tgamma_delta_ratio(g, 0.5) * (2 * gamma - 3))};
+}
+
+double StudentTShape::density(double t2) const {
+  return std::numbers::inv_pi * std::exp(-gamma * std::log1p(t2 / (gamma - 1)));
+}
+
+double StudentTShape::scaled_density(double n2, double z2) const {
+  const double z2_above = std::max(z2, 1e-300);
+  return std::numbers::inv_pi * std::exp(-gamma * std::log1p(n2 / ((gamma - 1) * z2_above)) - 2 * std::log(z2_above));
+}
+
+double StudentTShape::a_lambda(double a) const {
+  const double g = gamma - 1;
+  const double a2 = a * a;
+  const double log_w = a < 1e150 ? -std::log1p(a2 / g) : std::log(g) - 2 * std::log(a);
+  const double whole = scale * std::exp((gamma - 1.5) * log_w);
+  if (a < 2) return whole - 0.5 * a * boost::math::ibetac(0.5, g, a2 / (g + a2));
+  const double tail = gauss_tail(g, std::min(a2, 1e300));
+  const double first = g / (g + 1);
+  return whole * 0.5 * (tail / g + first) / (tail + 0.5 * first);
+}
+
+} // namespace brdfplot

@@ -1,0 +1,32 @@
+/// \file
+/// Student's t distribution of slopes (Ribardiere et al. 2017): a tail between those of GGX and Beckmann, or longer.
+#pragma once
+
+#include "microfacet/shape_invariant.hpp"
+
+namespace brdfplot {
+
+/// P22 = (1 + t2 / (gamma - 1))^-gamma / pi at alpha = 1; gamma = 2 is GGX, gamma -> infinity Beckmann. Domain
+/// gamma > 3/2: from there down the mean slope, and with it Lambda, is infinite.
+struct StudentTShape {
+  double gamma = 2;
+  double scale = 0.5; ///< a Lambda(a) at a = 0: sqrt(g / pi) Gamma(g + 1/2) / (Gamma(g) (2 gamma - 3)), g = gamma - 1
+
+  static ModelSpec about();
+  static StudentTShape from(const Values& values);
+
+  double density(double t2) const;
+  /// Where gamma < 2, D grows without bound towards the horizon; normals nearer to it than 1e-150 count as there.
+  double scaled_density(double n2, double z2) const;
+  /// a Lambda(a), with I the regularised incomplete beta function, g = gamma - 1 and w = g / (g + a^2):
+  ///   a Lambda = scale w^(gamma - 3/2) - (a / 2) I_w(g, 1/2).
+  /// The exact integral; Ribardiere et al. (2017, Eqs. 22-23) fit it. For a < 2 so. Beyond, the terms cancel, more and
+  /// more: there I_w is Gauss's continued fraction of 2F1(1/2, 1; g + 1; -g / a^2), all of whose coefficients are
+  /// positive, and its first step is subtracted by hand. Domain a in [0, infinity]; relative error at most 1e-13 and
+  /// that of the power w^(gamma - 3/2), 2^-52 times its logarithm.
+  double a_lambda(double a) const;
+};
+
+using StudentT = ShapeInvariant<StudentTShape>;
+
+} // namespace brdfplot

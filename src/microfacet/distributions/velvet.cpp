@@ -1,0 +1,39 @@
+#include "microfacet/distributions/velvet.hpp"
+
+#include "microfacet/distributions/ggx.hpp"
+#include "microfacet/distributions/inverse_gaussian.hpp"
+
+namespace brdfplot {
+
+ModelSpec VelvetProfile::spec() {
+  return {.type = "velvet",
+          .doc = "inverted Gaussian on a uniform base; Lambda exact",
+          .source = "Ashikhmin et al. 2000; Neubelt and Pettineo 2013; Akenine-Moller et al. 2018, Eq. 9.73",
+          .parameters = {{.key = "alpha",
+                          .bounds = {.min = 1e-6, .max = 1e6},
+                          .doc = "width of the inverted Gaussian, as cot theta_m"},
+                         {.key = "amplitude",
+                          .bounds = {.min = 0, .max = 1e6},
+                          .fallback = 4.0,
+                          .doc = "k_amp, of the inverted Gaussian over the base"}}};
+}
+
+VelvetProfile VelvetProfile::from(const Values& values) { return {values.number("alpha"), values.number("amplitude")}; }
+
+double VelvetProfile::p22(double r2) const {
+  const double base = base_weight();
+  const double alpha2 = alpha * alpha;
+  return base * GgxShape::density(r2) + (1 - base) * InverseGaussianShape::density(r2 * alpha2) * alpha2;
+}
+
+double VelvetProfile::density(double sin2, double z) const {
+  const double alpha2 = alpha * alpha;
+  return base_weight() * (std::numbers::inv_pi +
+                          amplitude * alpha2 * InverseGaussianShape::scaled_density(sin2 * alpha2, z * z) * alpha2);
+}
+
+double VelvetProfile::a_lambda(double a) const {
+  return base_weight() * (GgxShape::a_lambda(a) + amplitude * alpha * InverseGaussianShape::a_lambda(alpha * a));
+}
+
+} // namespace brdfplot
