@@ -19,6 +19,7 @@ namespace {
 struct PlotFlags {
   std::vector<std::string> files;
   std::string output;
+  std::string cache;
 };
 
 std::vector<plot::FigureDescription> load(const std::vector<std::string>& files) {
@@ -40,9 +41,13 @@ int run(const PlotFlags& flags, const Settings& settings) {
   const auto figures = load(flags.files);
   create_folders(flags.output);
   std::vector<RenderedFigure> rendered(figures.size());
+  simulation::Store store(flags.cache);
   std::vector<Task> tasks;
+  std::vector<const plot::FigureDescription*> described;
+  for (const auto& figure : figures) described.push_back(&figure);
+  append_simulations(described, settings, store, tasks);
   for (std::size_t k = 0; k < figures.size(); ++k)
-    tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k]); }});
+    tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k], store); }});
   run_tasks(tasks, settings);
   for (std::size_t k = 0; k < figures.size(); ++k) {
     write_text_file(in_folder(flags.output, figures[k].id + ".svg"), rendered[k].svg);
@@ -59,6 +64,7 @@ Command add_plot(CLI::App& app, const Settings& settings) {
   command->add_option("figures", flags->files, "The figures")->type_name("FIGURE.json");
   command->add_option("-o,--output", flags->output, "Folder of ID.svg and ID.csv; made where it is missing")
       ->type_name("DIR");
+  add_cache_flag(*command, flags->cache);
   command->footer(footer("brdfplot plot configs/figures/fig15_shear.json -o build/figures"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }

@@ -3,8 +3,12 @@
 #include "math/parallel.hpp"
 #include "terminal.hpp"
 
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <set>
 
 namespace brdfplot::cli {
 
@@ -17,14 +21,36 @@ void run_tasks(const std::vector<Task>& tasks, const Settings& settings) {
   });
 }
 
-RenderedFigure render(const plot::FigureDescription& description) {
+RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store) {
   RenderedFigure rendered;
   rendered.seconds = timed([&] {
-    const plot::Figure figure = plot::compute(description);
+    const plot::Figure figure = plot::compute(description, store);
     rendered.svg = plot::to_svg(figure);
     rendered.csv = plot::to_csv(figure);
   });
   return rendered;
+}
+
+void append_simulations(const std::vector<const plot::FigureDescription*>& figures, const Settings& settings,
+                        simulation::Store& store, std::vector<Task>& tasks) {
+  std::vector<plot::SimulationTask> simulations;
+  std::set<std::string> keys;
+  for (const auto* figure : figures)
+    for (auto& task : plot::simulations(*figure))
+      if (keys.insert(task.key).second) simulations.push_back(std::move(task));
+  const int count = static_cast<int>(simulations.size());
+  const int threads = std::max(1, count > 0 ? settings.threads / count : 1);
+  for (auto& task : simulations)
+    tasks.push_back({task.name, [run = std::move(task.run), &store, threads] { run(store, threads); }});
+}
+
+void add_cache_flag(CLI::App& command, std::string& folder) {
+  folder = simulation::default_store_folder();
+  command
+      .add_option("--cache", folder,
+                  "Folder that keeps simulated results for the next time; \"\": none; default: brdfplot in "
+                  "$XDG_CACHE_HOME or ~/.cache")
+      ->type_name("DIR");
 }
 
 double timed(const std::function<void()>& work) {

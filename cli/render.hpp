@@ -24,7 +24,14 @@ struct RenderedFigure {
   double seconds = 0;
 };
 
-RenderedFigure render(const plot::FigureDescription& description);
+RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store);
+
+/// The simulations of all the figures, once each, as the first of the tasks: figures that start later wait for theirs.
+void append_simulations(const std::vector<const plot::FigureDescription*>& figures, const Settings& settings,
+                        simulation::Store& store, std::vector<Task>& tasks);
+
+/// The flag --cache of commands that simulate, set to its default.
+void add_cache_flag(CLI::App& command, std::string& folder);
 
 /// Seconds that `work` takes.
 double timed(const std::function<void()>& work);

@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 struct ReportFlags {
   std::string manifest;
   std::string output;
+  std::string cache;
 };
 
 /// One entry, computed.
@@ -55,9 +56,10 @@ std::string built_in_manifest() {
 }
 
 /// What has to be computed for `entry`: a figure at once, a table row by row.
-void append_tasks(const config::ReportEntry& entry, Computed& computed, std::vector<Task>& tasks) {
+void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Computed& computed,
+                  std::vector<Task>& tasks) {
   if (const auto* figure = std::get_if<plot::FigureDescription>(&entry.what)) {
-    tasks.push_back({figure->id, [figure, &computed] { computed.figure = render(*figure); }});
+    tasks.push_back({figure->id, [figure, &store, &computed] { computed.figure = render(*figure, store); }});
     return;
   }
   const auto& table = std::get<PropertyTableDescription>(entry.what);
@@ -132,8 +134,13 @@ int run(const ReportFlags& flags, const Settings& settings) {
   create_folders(flags.output);
   std::vector<Computed> computed(report.entries.size());
   const double seconds = timed([&] {
+    simulation::Store store(flags.cache);
     std::vector<Task> tasks;
-    for (std::size_t k = 0; k < computed.size(); ++k) append_tasks(report.entries[k], computed[k], tasks);
+    std::vector<const plot::FigureDescription*> figures;
+    for (const auto& entry : report.entries)
+      if (const auto* figure = std::get_if<plot::FigureDescription>(&entry.what)) figures.push_back(figure);
+    append_simulations(figures, settings, store, tasks);
+    for (std::size_t k = 0; k < computed.size(); ++k) append_tasks(report.entries[k], store, computed[k], tasks);
     run_tasks(tasks, settings);
   });
   Content content;
@@ -157,6 +164,7 @@ Command add_report(CLI::App& app, const Settings& settings) {
       ->type_name("MANIFEST.json");
   command->add_option("-o,--output", flags->output, "Folder of index.html, figures/, tables/ and report.json")
       ->type_name("DIR");
+  add_cache_flag(*command, flags->cache);
   command->footer(footer("brdfplot report configs/reports/heitz2014.json -o build/report"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }

@@ -1,8 +1,8 @@
+#include "config/figure_scope.hpp"
 #include "config/load.hpp"
 #include "config/shapes.hpp"
 #include "math/errors.hpp"
 #include "math/number.hpp"
-#include "plot/term.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,48 +14,6 @@ namespace brdfplot::config {
 namespace {
 
 using plot::Expression;
-using plot::Setting;
-
-/// What outer levels hand down: figure to panel to series to operand.
-struct Scope {
-  std::optional<MaterialDescription> material;
-  std::vector<Setting> at;
-  std::vector<std::string> places;          ///< where each of `at` stands
-  std::map<std::string, std::string> words; ///< what {variable} becomes
-
-  void set(Setting setting, std::string place) {
-    at.push_back(std::move(setting));
-    places.push_back(std::move(place));
-  }
-};
-
-/// A number, or an angle with its unit.
-bool is_numeric(const Json& value) { return angle()->matches(value); }
-
-Setting to_setting(const std::string& variable, const Json& value) {
-  if (is_numeric(value)) return {variable, to_number(value)};
-  return {variable, value.get<std::string>()};
-}
-
-/// "60°" for "60deg", the number or the word otherwise.
-std::string word_for(const Json& value) {
-  if (value.is_number()) return format_number(value.get<double>());
-  auto text = value.get<std::string>();
-  const auto unit = text.find("deg");
-  if (!is_numeric(value) || unit == std::string::npos) return text;
-  constexpr const char* blank = " \t\r";
-  const auto first = text.find_first_not_of(blank);
-  return text.substr(first, text.find_last_not_of(blank, unit - 1) + 1 - first) + "°";
-}
-
-std::string substituted(std::string text, const std::map<std::string, std::string>& words) {
-  for (const auto& [variable, word] : words) {
-    const std::string mark = "{" + variable + "}";
-    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + word.size()))
-      text.replace(at, mark.size(), word);
-  }
-  return text;
-}
 
 class Reader {
 public:
@@ -199,9 +157,11 @@ private:
     for (const Json* level : {&file_.root(), &object})
       if (level->contains("x")) out.samples = (*level)["x"].value("samples", out.samples);
     if (heatmap) out.value = axis(object, pointer, "value", false);
-    swept_.clear();
-    sweep(out.x, axis_place(object, pointer, "x"));
-    if (heatmap) sweep(out.y, axis_place(object, pointer, "y"));
+    const auto sweep = [&](const plot::Axis& axis, const std::string& key) {
+      return Sweep{axis.column, axis_place(object, pointer, key), axis.from, axis.to};
+    };
+    swept_ = {sweep(out.x, "x")};
+    if (heatmap) swept_.push_back(sweep(out.y, "y"));
     for (std::size_t k = 0; k < object["series"].size(); ++k) {
       const std::string at = pointer + "/series/" + std::to_string(k);
       const Json& one = object["series"][k];
@@ -249,67 +209,14 @@ private:
       out.operands.push_back(expression(object["absolute"], step(pointer, "absolute"), scope));
     } else {
       if (!scope.material) file_.fail(pointer, "\"material\" is missing here and above");
-      out.term = {object["quantity"].get<std::string>(), *scope.material, scope.at};
-      check(out.term, pointer, scope);
+      out.term = {object["quantity"].get<std::string>(), *scope.material, scope.at, {}};
+      if (object.contains("simulate")) {
+        if (kind_ == plot::Kind::heatmap) file_.fail(step(pointer, "simulate"), "a heat map is not simulated");
+        out.term.simulate = read_simulate(object["simulate"]);
+      }
+      check_term(file_, out.term, pointer, scope, swept_, tolerance_);
     }
     return out;
-  }
-
-  /// A swept variable, its ends, and where its axis stands.
-  struct Sweep {
-    std::string variable, place;
-    double from, to;
-  };
-
-  void sweep(const plot::Axis& axis, const std::string& place) {
-    swept_.push_back({axis.column, place, axis.from, axis.to});
-  }
-
-  /// Runs `attempt`, with its errors told at a place of the file.
-  template <class Attempt>
-  void at_place(const std::string& place, const Attempt& attempt) const {
-    try {
-      attempt();
-    } catch (const InputError& error) {
-      file_.fail(place, error.what());
-    }
-  }
-
-  /// Tries everything but the values of a term, so that what is wrong is told where it stands.
-  void check(const plot::Term& term, const std::string& pointer, const Scope& scope) const {
-    plot::Configuration configuration(term.material);
-    for (std::size_t k = 0; k < scope.at.size(); ++k)
-      at_place(scope.places[k], [&] { configuration.set(scope.at[k]); });
-    std::vector<std::string> variables;
-    std::vector<double> from, to;
-    for (const Sweep& sweep : swept_) {
-      for (const double end : {sweep.from, sweep.to})
-        at_place(sweep.place, [&] { configuration.set({sweep.variable, end}); });
-      variables.push_back(sweep.variable);
-      from.push_back(sweep.from);
-      to.push_back(sweep.to);
-    }
-    std::optional<plot::TermFunction> function;
-    at_place(pointer + "/quantity", [&] { function.emplace(term, variables, tolerance_); });
-    try {
-      function->check(from);
-      function->check(to);
-    } catch (const MaterialError& error) {
-      const auto place = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope);
-      if (place) file_.fail(*place, error.reason());
-      file_.fail(pointer, error.pointer() + ": " + error.reason());
-    } catch (const InputError& error) {
-      file_.fail(pointer, error.what());
-    }
-  }
-
-  /// Where the value of a parameter was set last, if not in the material itself.
-  std::optional<std::string> place_of(const std::string& parameter, const Scope& scope) const {
-    for (std::size_t k = scope.at.size(); k > 0; --k)
-      if (scope.at[k - 1].variable == parameter) return scope.places[k - 1];
-    for (const Sweep& sweep : swept_)
-      if (sweep.variable == parameter) return sweep.place;
-    return std::nullopt;
   }
 
   const JsonFile& file_;

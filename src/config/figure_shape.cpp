@@ -1,4 +1,5 @@
 #include "config/shapes.hpp"
+#include "plot/simulated.hpp"
 
 namespace brdfplot::config {
 
@@ -35,8 +36,25 @@ ShapePtr material_or_name() { return either({material_shape(false), text()}); }
 
 ShapePtr expression();
 
+ShapePtr simulate() {
+  std::vector<std::string> sources;
+  for (const auto* source : plot::simulation_sources()) sources.push_back(source->name());
+  return named("simulate", [sources] {
+    return object({{"source", choice(sources), true, "what simulates: smith_walk, the random walk on Smith's surface"},
+                   {"bounces", choice({"1", "2", "3", "4", "2+", "all"}), false, "of which bounces; default all"},
+                   {"facets", choice({"conductor", "dielectric", "diffuse"}), false,
+                    "smith_walk: what a facet does with light; default conductor"},
+                   {"paths", whole_number(1, 1000000000), false, "how many at each point; default 100000"},
+                   {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"},
+                   {"samples", whole_number(2, 10000), false, "points along x; default 61"}});
+  });
+}
+
 std::vector<Field> expression_fields() {
   return {{"quantity", text(), false, "what is evaluated: see brdfplot list quantities"},
+          {"simulate", simulate(), false,
+           "the quantity is simulated, with its standard error; smith_walk: brdf_cos, albedo, transmittance, "
+           "mean_fresnel"},
           {"ratio", array(expression(), 2, 2), false, "first over second"},
           {"difference", array(expression(), 2, 2), false, "first minus second"},
           {"absolute", expression(), false, "absolute value"},

@@ -1,92 +1,20 @@
 #include "math/errors.hpp"
 #include "plot/contour.hpp"
 #include "plot/description.hpp"
+#include "plot/evaluator.hpp"
 #include "plot/sampling.hpp"
-#include "plot/term.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
+#include <optional>
+#include <set>
 
 namespace brdfplot::plot {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-/// Where a term over `variable` may have something narrow: the normal of the mesosurface, the direction that it mirrors
-/// the other one to, the other direction itself.
-std::vector<double> narrow_places(const std::string& variable, const Configuration& fixed) {
-  const auto angle = [&](const char* name) { return fixed.angle(name).value_or(0); };
-  const Vec2 mean = fixed.mean_slope();
-  // The slope of the mean normal in the plane of azimuth phi.
-  const auto slope = [&](double phi) { return -mean[0] * std::cos(phi) - mean[1] * std::sin(phi); };
-  const auto around = [&](double phi) {
-    return std::vector<double>{phi, phi - pi, phi + pi, phi - 2 * pi, phi + 2 * pi};
-  };
-  if (variable == "slope") return {slope(angle("phi_m"))};
-  if (variable == "phi_i") return around(angle("phi_o"));
-  if (variable == "phi_o") return around(angle("phi_i"));
-  if (variable == "phi_m") {
-    auto out = around(std::atan2(-mean[1], -mean[0]));
-    for (const double phi : around(angle("phi_o"))) out.push_back(phi);
-    return out;
-  }
-  if (!variable.starts_with("theta_")) return {};
-  const double normal = std::atan(slope(angle(variable == "theta_i"   ? "phi_i"
-                                              : variable == "theta_o" ? "phi_o"
-                                                                      : "phi_m")));
-  std::vector<double> out = {0, normal};
-  const auto other = fixed.angle(variable == "theta_o" ? "theta_i" : "theta_o");
-  if (!other) return out;
-  for (const double theta : {*other, -*other}) {
-    out.push_back(theta);
-    if (variable != "theta_m") out.push_back(2 * normal + theta);
-  }
-  return out;
-}
-
-/// An expression with its terms ready to be evaluated.
-class Evaluator {
-public:
-  Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance)
-      : operation_(expression.operation) {
-    if (operation_ == Expression::Operation::term) terms_.emplace_back(expression.term, swept, tolerance);
-    for (const auto& operand : expression.operands) operands_.emplace_back(operand, swept, tolerance);
-  }
-
-  double operator()(const std::vector<double>& x) const {
-    switch (operation_) {
-    case Expression::Operation::term: return terms_[0](x);
-    case Expression::Operation::difference: return operands_[0](x) - operands_[1](x);
-    case Expression::Operation::ratio: return operands_[0](x) / operands_[1](x);
-    case Expression::Operation::absolute: return std::fabs(operands_[0](x));
-    }
-    return 0;
-  }
-
-  /// Where a curve over `variable` may have something narrow.
-  std::vector<double> seeds(const std::string& variable) const {
-    std::vector<double> out;
-    for (const auto& term : terms_) out = narrow_places(variable, term.fixed());
-    for (const auto& operand : operands_) {
-      const auto more = operand.seeds(variable);
-      out.insert(out.end(), more.begin(), more.end());
-    }
-    return out;
-  }
-
-  bool costly() const {
-    return (!terms_.empty() && terms_[0].is_integral()) ||
-           std::ranges::any_of(operands_, [](const Evaluator& operand) { return operand.costly(); });
-  }
-
-private:
-  Expression::Operation operation_;
-  std::vector<TermFunction> terms_;
-  std::vector<Evaluator> operands_;
-};
+using simulation::Measured;
 
 /// Labels may hold anything; errors are one line.
 std::string one_line(std::string text) {
@@ -132,11 +60,34 @@ private:
   std::vector<std::string> labels_;
 };
 
+/// `values` places along the axis, evenly spaced on its scale: (k + offset) / count of the way.
+std::vector<double> lattice(const Axis& axis, int count, double offset, int values) {
+  std::vector<double> out;
+  const bool logarithmic = axis.scale == Scale::logarithmic;
+  for (int k = 0; k < values; ++k) {
+    const double t = (k + offset) / count;
+    out.push_back(logarithmic ? axis.from * std::pow(axis.to / axis.from, t) : axis.from + (axis.to - axis.from) * t);
+  }
+  return out;
+}
+
+/// Lowest and highest value of a panel.
+struct Extremes {
+  double low = infinity;
+  double high = -infinity;
+
+  void widen(const Axis& axis, double y) {
+    if (!std::isfinite(y) || (axis.scale == Scale::logarithmic && y <= 0)) return;
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+};
+
 /// A series as a function that remembers: the first points are asked for twice.
 class CurveSource {
 public:
-  CurveSource(const FigureDescription& figure, const PanelDescription& panel, const SeriesDescription& series)
-      : evaluator_(series.value, {panel.x.column}, figure.tolerance) {
+  CurveSource(const FigureDescription& figure, const PanelDescription& panel, Evaluator evaluator)
+      : evaluator_(std::move(evaluator)) {
     request_.x = panel.x;
     request_.y = panel.y;
     request_.polar = figure.kind == Kind::polar;
@@ -150,61 +101,78 @@ public:
       request_.seeds = evaluator_.seeds(panel.x.column);
   }
 
+  /// Widens the extremes to the values at the first points.
+  void widen(Extremes& extremes) {
+    for (const double x : first_points(request_)) extremes.widen(request_.y, value(x));
+  }
+
+  Curve draw(const Extremes& extremes) {
+    if (std::isnan(request_.y.from) && extremes.low < extremes.high) request_.y.from = extremes.low;
+    if (std::isnan(request_.y.to) && extremes.low < extremes.high) request_.y.to = extremes.high;
+    return sample([this](double x) { return value(x); }, request_);
+  }
+
+private:
   double value(double x) {
     const auto known = values_.find(x);
     if (known != values_.end()) return known->second;
     return values_.emplace(x, evaluator_({x})).first->second;
   }
 
-  /// Widens [low, high] to the values at the first points.
-  void widen(double& low, double& high) {
-    for (const double x : first_points(request_)) {
-      const double y = value(x);
-      if (!std::isfinite(y) || (request_.y.scale == Scale::logarithmic && y <= 0)) continue;
-      low = std::min(low, y);
-      high = std::max(high, y);
-    }
-  }
-
-  Curve draw(double low, double high) {
-    if (std::isnan(request_.y.from) && low < high) request_.y.from = low;
-    if (std::isnan(request_.y.to) && low < high) request_.y.to = high;
-    return sample([this](double x) { return value(x); }, request_);
-  }
-
-private:
   Evaluator evaluator_;
   CurveRequest request_;
   std::map<double, double> values_;
 };
 
-/// The series of a panel, each as fine as the range of all of them asks for.
-void fill_curves(const FigureDescription& figure, const PanelDescription& description, Styles& styles, Panel& panel) {
-  std::vector<CurveSource> sources;
-  double low = infinity;
-  double high = -infinity;
-  for (std::size_t k = 0; k < description.series.size(); ++k)
-    naming(place(figure, description, k), [&] {
-      sources.emplace_back(figure, description, description.series[k]);
-      sources.back().widen(low, high);
-    });
-  for (std::size_t k = 0; k < sources.size(); ++k) {
-    const auto& series = description.series[k];
-    Curve points = naming(place(figure, description, k), [&] { return sources[k].draw(low, high); });
-    panel.series.push_back(
-        {series.label, std::move(points.x), std::move(points.y), styles.of(series.label), series.ramp});
-  }
+/// Where simulations come from.
+struct Simulator {
+  simulation::Store& store;
+  int threads;
+};
+
+/// The points of a simulated series.
+std::vector<double> simulated_points(const PanelDescription& panel, const SimulatedTerm& term) {
+  const int samples = term.samples();
+  return term.is_binned() ? lattice(panel.x, samples, 0.5, samples) : lattice(panel.x, samples - 1, 0, samples);
 }
 
-/// `count` + 1 values from `from` to `to`, evenly spaced on the axis's scale.
-std::vector<double> lattice(const Axis& axis, int count, double offset, int values) {
-  std::vector<double> out;
-  const bool logarithmic = axis.scale == Scale::logarithmic;
-  for (int k = 0; k < values; ++k) {
-    const double t = (k + offset) / count;
-    out.push_back(logarithmic ? axis.from * std::pow(axis.to / axis.from, t) : axis.from + (axis.to - axis.from) * t);
+Series simulate(const PanelDescription& panel, const Evaluator& evaluator, const Simulator& simulator) {
+  Series series;
+  series.x = simulated_points(panel, *evaluator.simulated().front());
+  for (const Measured& measured : evaluator.measure(series.x, simulator.store, simulator.threads)) {
+    series.y.push_back(measured.value);
+    series.error.push_back(measured.standard_error);
   }
-  return out;
+  return series;
+}
+
+/// The series of a panel, those that are computed each as fine as the range of all of them asks for.
+void fill_curves(const FigureDescription& figure, const PanelDescription& description, const Simulator& simulator,
+                 Styles& styles, Panel& panel) {
+  std::vector<std::optional<CurveSource>> sources(description.series.size());
+  panel.series.resize(sources.size());
+  Extremes extremes;
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    naming(place(figure, description, k), [&] {
+      Evaluator evaluator(description.series[k].value, {description.x.column}, figure.tolerance);
+      if (evaluator.simulated().empty()) {
+        sources[k].emplace(figure, description, std::move(evaluator)).widen(extremes);
+        return;
+      }
+      panel.series[k] = simulate(description, evaluator, simulator);
+      for (const double y : panel.series[k].y) extremes.widen(description.y, y);
+    });
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    Series& series = panel.series[k];
+    if (sources[k]) {
+      Curve points = naming(place(figure, description, k), [&] { return sources[k]->draw(extremes); });
+      series.x = std::move(points.x);
+      series.y = std::move(points.y);
+    }
+    series.label = description.series[k].label;
+    series.style = styles.of(series.label);
+    series.ramp = description.series[k].ramp;
+  }
 }
 
 void fill_heatmap(const FigureDescription& figure, const PanelDescription& description, Panel& panel) {
@@ -225,7 +193,7 @@ void fill_heatmap(const FigureDescription& figure, const PanelDescription& descr
 
 } // namespace
 
-Figure compute(const FigureDescription& description) {
+Figure compute(const FigureDescription& description, simulation::Store& store, int threads) {
   Figure figure{description.id,
                 description.title,
                 description.caption,
@@ -239,11 +207,39 @@ Figure compute(const FigureDescription& description) {
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
     } else {
-      fill_curves(description, from, styles, panel);
+      fill_curves(description, from, {store, threads}, styles, panel);
     }
     figure.panels.push_back(std::move(panel));
   }
   return figure;
+}
+
+Figure compute(const FigureDescription& description) {
+  simulation::Store store;
+  return compute(description, store);
+}
+
+std::vector<SimulationTask> simulations(const FigureDescription& description) {
+  std::vector<SimulationTask> tasks;
+  if (description.kind == Kind::heatmap) return tasks;
+  std::set<std::string> keys;
+  for (const auto& panel : description.panels)
+    for (std::size_t k = 0; k < panel.series.size(); ++k) {
+      const std::string where = place(description, panel, k);
+      naming(where, [&] {
+        const Evaluator evaluator(panel.series[k].value, {panel.x.column}, description.tolerance);
+        for (const SimulatedTerm* term : evaluator.simulated())
+          for (auto& job : term->jobs(simulated_points(panel, *evaluator.simulated().front()))) {
+            if (!keys.insert(job.key).second) continue;
+            const std::string key = job.key;
+            auto run = [term = *term, job = std::move(job)](simulation::Store& store, int threads) {
+              store.get(job.key, [&] { return term.run(job, threads); });
+            };
+            tasks.push_back({key, where, std::move(run)});
+          }
+      });
+    }
+  return tasks;
 }
 
 } // namespace brdfplot::plot

@@ -31,6 +31,12 @@ std::string field(std::string_view label) {
   return out;
 }
 
+bool has_errors(const Figure& figure) {
+  const auto simulated = [](const Series& series) { return !series.error.empty(); };
+  return std::ranges::any_of(figure.panels,
+                             [&](const Panel& panel) { return std::ranges::any_of(panel.series, simulated); });
+}
+
 void append_header(std::string& out, const Figure& figure) {
   const Panel none;
   const Panel& panel = figure.panels.empty() ? none : figure.panels.front();
@@ -47,11 +53,12 @@ void append_header(std::string& out, const Figure& figure) {
     out += ",series";
     column(panel.x.column, "x");
     column(panel.y.column, "y");
+    if (has_errors(figure)) column((panel.y.column.empty() ? "y" : panel.y.column) + "_stderr", "");
   }
   out += '\n';
 }
 
-void append_series(std::string& out, const Panel& panel) {
+void append_series(std::string& out, const Panel& panel, bool errors) {
   const auto title = field(panel.title);
   for (const auto& series : panel.series) {
     const auto start = title + "," + field(series.label) + ",";
@@ -60,6 +67,8 @@ void append_series(std::string& out, const Panel& panel) {
       append_number(out, series.x[i]);
       out += ',';
       append_number(out, series.y[i]);
+      if (errors) out += ',';
+      if (i < series.error.size()) append_number(out, series.error[i]);
       out += '\n';
     }
   }
@@ -95,9 +104,10 @@ std::string to_csv(const Figure& figure) {
   std::string out;
   out.reserve(estimate(figure));
   append_header(out, figure);
+  const bool errors = has_errors(figure);
   for (const auto& panel : figure.panels) {
     if (figure.kind != Kind::heatmap) {
-      append_series(out, panel);
+      append_series(out, panel, errors);
     } else if (panel.grid) {
       append_grid(out, field(panel.title), *panel.grid);
     }

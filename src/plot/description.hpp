@@ -5,7 +5,10 @@
 
 #include "brdf/material.hpp"
 #include "plot/model.hpp"
+#include "simulation/store.hpp"
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,11 +28,22 @@ struct Setting {
   std::variant<double, std::string> value;
 };
 
-/// A quantity of a material (see quantities() and integrals()), with what is fixed.
+/// How a quantity is simulated rather than computed: see simulated.hpp.
+struct Simulate {
+  std::string source;          ///< one of simulation_sources()
+  std::string bounces = "all"; ///< which: "1" ... "4", "2+" or "all"
+  std::string facets = "conductor";
+  std::size_t paths = 100000;
+  std::uint64_t seed = 1;
+  int samples = 61; ///< evenly spaced points along x
+};
+
+/// A quantity of a material (see quantities() and integrals(), and simulated.hpp), with what is fixed.
 struct Term {
   std::string quantity;
   MaterialDescription material;
   std::vector<Setting> at;
+  std::optional<Simulate> simulate{};
 };
 
 /// A term, or a combination of expressions.
@@ -79,6 +93,21 @@ const std::vector<std::string>& direction_variables();
 /// Evaluates everything. Lines and lobes are sampled adaptively: see sampling.hpp.
 /// \throws InputError when a series cannot be evaluated (a missing direction, a parameter out of its bounds), naming
 /// it; AccuracyError when an integral misses the figure's tolerance.
+/// Simulated series have the points that they ask for; their results come from `store` where it has them, else they are
+/// simulated on up to `threads` threads. The figure is the same for any number of them.
+Figure compute(const FigureDescription& description, simulation::Store& store, int threads = 1);
+
+/// The same with a store of its own.
 Figure compute(const FigureDescription& description);
+
+/// A simulation that a figure needs: computing it puts its result into the store.
+struct SimulationTask {
+  std::string key; ///< tasks of one key are the same
+  std::string name;
+  std::function<void(simulation::Store& store, int threads)> run;
+};
+
+/// Everything that compute() will want from the store, once each.
+std::vector<SimulationTask> simulations(const FigureDescription& description);
 
 } // namespace brdfplot::plot

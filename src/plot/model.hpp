@@ -42,6 +42,8 @@ struct Series {
   int style = 0;
   /// In [0, 1]: the place in a sequential ramp, for families such as alpha = 0.1 ... 1; absent: categorical palette.
   std::optional<double> ramp;
+  /// Standard error of each y, drawn as bars or a band of twice its size; empty: y is exact.
+  std::vector<double> error{};
 };
 
 /// A direction of a polar plot, drawn as an arrow from (or, when `incoming`, towards) the surface point.
@@ -96,9 +98,10 @@ struct Figure {
 /// \throws nothing that depends on the data; an empty figure gives an SVG with the title only.
 std::string to_svg(const Figure& figure);
 
-/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`.
-/// One header line, LF, numbers in the shortest form that reads back to the same double; text fields quoted when needed
-/// (RFC 4180). Markup of labels is stripped ("θ_o" stays "θ_o": only braces go).
+/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`. Where a
+/// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact. One header line, LF,
+/// numbers in the shortest form that reads back to the same double; text fields quoted when needed (RFC 4180). Markup
+/// of labels is stripped ("θ_o" stays "θ_o": only braces go).
 std::string to_csv(const Figure& figure);
 
 } // namespace brdfplot::plot

@@ -71,6 +71,47 @@ void append_curve(PathData& path, const PanelPlan& plan, const std::vector<doubl
   if (!points.empty()) append_clipped(path, points, box);
 }
 
+std::vector<double> upper_bounds(const Series& series) {
+  std::vector<double> out = series.y;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] += 2 * series.error[k];
+  return out;
+}
+
+std::vector<double> lower_bounds(const Series& series) {
+  std::vector<double> out = series.y;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] -= 2 * series.error[k];
+  return out;
+}
+
+namespace {
+
+/// Dots with bars of two standard errors.
+void draw_measured(SvgWriter& svg, const PanelPlan& plan, const Series& series, const Look& look) {
+  constexpr double cap = 2.5;
+  constexpr double radius = 2.4;
+  const auto upper = upper_bounds(series), lower = lower_bounds(series);
+  PathData bars, dots;
+  for (std::size_t k = 0; k < series.y.size(); ++k) {
+    const Point middle = to_point(plan, series.x[k], series.y[k]);
+    if (std::isnan(middle.x) || std::isnan(middle.y)) continue;
+    dots.dot(middle, radius);
+    const double top = to_point(plan, series.x[k], upper[k]).y;
+    double bottom = to_point(plan, series.x[k], lower[k]).y;
+    if (std::isnan(bottom)) bottom = plan.plot.bottom() + cap; // below zero on a logarithmic axis
+    if (std::isnan(top) || bottom - top < 2 * radius) continue;
+    bars.move({middle.x, top});
+    bars.line({middle.x, bottom});
+    for (const double end : {top, bottom}) {
+      bars.move({middle.x - cap, end});
+      bars.line({middle.x + cap, end});
+    }
+  }
+  svg.path(bars, {"bp-no bp-" + look.colour, 1.2, {}, {}});
+  svg.path(dots, {"bp-f-" + look.colour, 0, {}, {}});
+}
+
+} // namespace
+
 void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
   draw_grid(svg, plan);
   PathData region;
@@ -82,7 +123,9 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
     PathData path;
     append_curve(path, plan, series.x, series.y);
     empty = empty && path.empty();
-    svg.path(path, {"bp-no bp-line bp-" + plan.looks[i].colour, 2, dash(plan.looks[i].dash), {}});
+    const bool measured = !series.error.empty();
+    svg.path(path, {"bp-no bp-line bp-" + plan.looks[i].colour, measured ? 1.0 : 2.0, dash(plan.looks[i].dash), {}});
+    if (measured) draw_measured(svg, plan, series, plan.looks[i]);
   }
   svg.close_group();
   if (empty) {

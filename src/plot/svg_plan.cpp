@@ -36,7 +36,12 @@ Extent value_extent(const Panel& panel, Kind kind) {
     if (panel.grid) extent.add(panel.grid->value, panel.value ? panel.value->scale : Scale::linear);
     return extent;
   }
-  for (const auto& series : panel.series) extent.add(series.y, panel.y.scale);
+  for (const auto& series : panel.series) {
+    extent.add(series.y, panel.y.scale);
+    if (series.error.empty() || kind != Kind::lines) continue;
+    extent.add(upper_bounds(series), panel.y.scale);
+    extent.add(lower_bounds(series), panel.y.scale);
+  }
   return extent;
 }
 

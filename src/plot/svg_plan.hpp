@@ -93,6 +93,10 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan);
 void draw_polar(SvgWriter& svg, const PanelPlan& plan);
 void draw_heatmap(SvgWriter& svg, const PanelPlan& plan);
 
+/// The ends of the bars of a simulated series: two standard errors above and below its values.
+std::vector<double> upper_bounds(const Series& series);
+std::vector<double> lower_bounds(const Series& series);
+
 /// Whether the colours of a heat map diverge from zero: values of both signs on a linear scale.
 bool is_diverging(const PanelPlan& plan);
 

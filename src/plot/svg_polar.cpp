@@ -55,6 +55,23 @@ void draw_rings(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
   svg.path(outer, {"bp-no bp-frame", 1, {}, {}});
 }
 
+/// The band of two standard errors about a simulated lobe.
+void draw_band(SvgWriter& svg, const PanelPlan& plan, const Disc& disc, const Series& series, const Look& look) {
+  PathData band;
+  std::vector<Point> points;
+  const auto radius = [&](double value) {
+    const double place = place_in(plan.y, plan.panel->y.scale, value);
+    return disc.radius * (std::isnan(place) ? 0 : std::clamp(place, 0.0, 2.0));
+  };
+  const auto upper = upper_bounds(series), lower = lower_bounds(series);
+  for (std::size_t k = 0; k < series.x.size(); ++k) points.push_back(disc.at(series.x[k], radius(upper[k])));
+  for (std::size_t k = series.x.size(); k-- > 0;)
+    points.push_back(disc.at(series.x[k], radius(std::max(lower[k], 0.0))));
+  append_polyline(band, points);
+  band.close();
+  svg.path(band, {"bp-f-" + look.colour, 0, {}, " fill-opacity=\"0.35\""});
+}
+
 void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
   const auto& panel = *plan.panel;
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
@@ -76,6 +93,7 @@ void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
     }
     flush();
     const auto& look = plan.looks[i];
+    if (!series.error.empty()) draw_band(svg, plan, disc, series, look);
     svg.path(path,
              {"bp-line bp-" + look.colour + " bp-f-" + look.colour, 2, dash(look.dash), " fill-opacity=\"0.07\""});
   }

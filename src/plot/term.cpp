@@ -152,26 +152,31 @@ Configuration::Ready Configuration::ready() const {
   }
   if (slope_) m = from_angles(std::atan(*slope_), angle_[5].value_or(0));
   if (stretch_ != Vec2{1, 1} || shear_ != Vec2{0, 0}) transform(material, o, i, m);
-  return {build(material), o, i, m};
+  Material built = build(material);
+  return {std::move(material), std::move(built), o, i, m};
 }
 
-TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, double tolerance)
-    : fixed_(term.material), swept_(std::move(swept)), tolerance_(tolerance) {
-  for (const auto& info : quantities())
-    if (info.name == term.quantity) quantity_ = info.quantity;
-  for (const auto& info : integrals())
-    if (info.name == term.quantity) integral_ = info.integral;
-  if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
+SweptConfiguration::SweptConfiguration(const Term& term, std::vector<std::string> swept)
+    : fixed_(term.material), swept_(std::move(swept)) {
   for (const auto& setting : term.at) fixed_.set(setting);
   for (const auto& variable : swept_)
     is_fixed_.push_back(std::ranges::find(term.at, variable, &Setting::variable) != term.at.end());
 }
 
-Configuration::Ready TermFunction::configure(const std::vector<double>& values) const {
+Configuration::Ready SweptConfiguration::at(const std::vector<double>& values) const {
   Configuration configuration = fixed_;
   for (std::size_t k = 0; k < swept_.size(); ++k)
     if (!is_fixed_[k]) configuration.set({swept_[k], values[k]});
   return configuration.ready();
+}
+
+TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, double tolerance)
+    : configuration_(term, std::move(swept)), tolerance_(tolerance) {
+  for (const auto& info : quantities())
+    if (info.name == term.quantity) quantity_ = info.quantity;
+  for (const auto& info : integrals())
+    if (info.name == term.quantity) integral_ = info.integral;
+  if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
 }
 
 void TermFunction::require_directions(const Configuration::Ready& ready) const {
@@ -181,11 +186,11 @@ void TermFunction::require_directions(const Configuration::Ready& ready) const {
             ready.i.has_value(), ready.m.has_value());
 }
 
-void TermFunction::check(const std::vector<double>& values) const { require_directions(configure(values)); }
+void TermFunction::check(const std::vector<double>& values) const { require_directions(configuration_.at(values)); }
 
 double TermFunction::operator()(const std::vector<double>& values) const {
   throw_if_interrupted();
-  const auto ready = configure(values);
+  const auto ready = configuration_.at(values);
   require_directions(ready);
   if (integral_) return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
   return evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i, ready.m);

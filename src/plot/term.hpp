@@ -21,6 +21,7 @@ public:
 
   /// Where everything stands after the transformations.
   struct Ready {
+    MaterialDescription description;
     Material material;
     std::optional<Direction> o, i, m;
   };
@@ -46,6 +47,19 @@ private:
   Vec2 shear_{0, 0};
 };
 
+/// The configuration of a term at given values of the swept variables.
+class SweptConfiguration {
+public:
+  SweptConfiguration(const Term& term, std::vector<std::string> swept);
+  Configuration::Ready at(const std::vector<double>& values) const;
+  const Configuration& fixed() const { return fixed_; }
+
+private:
+  Configuration fixed_;
+  std::vector<std::string> swept_;
+  std::vector<bool> is_fixed_; ///< swept variables that the term's own settings fix
+};
+
 /// A term at given values of the swept variables.
 class TermFunction {
 public:
@@ -59,15 +73,12 @@ public:
   void check(const std::vector<double>& values) const;
 
   bool is_integral() const { return integral_.has_value(); }
-  const Configuration& fixed() const { return fixed_; }
+  const Configuration& fixed() const { return configuration_.fixed(); }
 
 private:
-  Configuration::Ready configure(const std::vector<double>& values) const;
   void require_directions(const Configuration::Ready& ready) const;
 
-  Configuration fixed_;
-  std::vector<std::string> swept_;
-  std::vector<bool> is_fixed_; ///< swept variables that the term's own settings fix
+  SweptConfiguration configuration_;
   std::optional<Quantity> quantity_;
   std::optional<Integral> integral_;
   double tolerance_;

@@ -61,12 +61,6 @@ private:
 
 } // namespace
 
-Measured Estimates::at(std::size_t point) const {
-  std::vector<double> here;
-  for (std::size_t k = point; k < values.size(); k += points) here.push_back(values[k]);
-  return mean_of(here);
-}
-
 std::string to_text(const std::string& key, const Result& result) {
   std::string text = head(key);
   for (const auto& [name, estimates] : result) {
@@ -126,20 +120,34 @@ void Store::write(const std::string& key, const Result& result) const {
   }
 }
 
+Store::Shared Store::make(const std::string& key, const std::function<Result()>& compute) const {
+  if (auto kept = read(key)) return std::make_shared<const Result>(std::move(*kept));
+  auto result = std::make_shared<const Result>(compute());
+  write(key, *result);
+  return result;
+}
+
 std::shared_ptr<const Result> Store::get(const std::string& key, const std::function<Result()>& compute) {
+  std::promise<Shared> promise;
   {
+    std::unique_lock lock(mutex_);
+    const auto [place, is_new] = known_.try_emplace(key, promise.get_future().share());
+    if (!is_new) {
+      const auto other = place->second;
+      lock.unlock();
+      return other.get();
+    }
+  }
+  try {
+    auto result = make(key, compute);
+    promise.set_value(result);
+    return result;
+  } catch (...) {
+    promise.set_exception(std::current_exception());
     const std::lock_guard lock(mutex_);
-    const auto found = known_.find(key);
-    if (found != known_.end()) return found->second;
+    known_.erase(key);
+    throw;
   }
-  std::optional<Result> result = read(key);
-  if (!result) {
-    result = compute();
-    write(key, *result);
-  }
-  auto shared = std::make_shared<const Result>(std::move(*result));
-  const std::lock_guard lock(mutex_);
-  return known_.emplace(key, shared).first->second;
 }
 
 std::string default_store_folder() {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,16 +18,6 @@ namespace brdfplot::simulation {
 
 /// To be raised whenever a simulation gives other numbers than it gave before: older files are then not found.
 inline constexpr int results_version = 1;
-
-/// A quantity at some points, as independent estimates of equal weight.
-struct Estimates {
-  std::size_t points = 0;
-  std::vector<double> values; ///< estimate by estimate, `points` each
-
-  std::size_t count() const { return points > 0 ? values.size() / points : 0; }
-  Measured at(std::size_t point) const;
-  friend bool operator==(const Estimates&, const Estimates&) = default;
-};
 
 /// What one simulation measured, by name of the output.
 using Result = std::map<std::string, Estimates>;
@@ -41,19 +32,22 @@ public:
 
   /// The result that `key` (a text that defines it completely) stands for: from memory, from its file, or computed.
   /// What is wrong with a file (an older version, half a file, another key of the same hash) makes it as if it were not
-  /// there. A file that cannot be written is not kept, silently: the next time it takes as long as this time.
+  /// there. A file that cannot be written is not kept, silently: the next time it takes as long as this time. Who asks
+  /// for what another thread computes waits for it.
   std::shared_ptr<const Result> get(const std::string& key, const std::function<Result()>& compute);
 
   /// The file of a key.
   std::string path(const std::string& key) const;
 
 private:
+  using Shared = std::shared_ptr<const Result>;
+  Shared make(const std::string& key, const std::function<Result()>& compute) const;
   std::optional<Result> read(const std::string& key) const;
   void write(const std::string& key, const Result& result) const;
 
   std::string folder_;
   std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const Result>> known_;
+  std::map<std::string, std::shared_future<Shared>> known_;
 };
 
 /// Where results are kept between runs: $XDG_CACHE_HOME/brdfplot, or ~/.cache/brdfplot; empty when neither is known.

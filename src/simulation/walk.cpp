@@ -51,12 +51,7 @@ class Walker {
 public:
   Walker(const Material& material, Facets facets, const WalkRequest& request)
       : profile_{material.slopes()}, facets_(facets), material_(material), request_(request) {
-    if (facets == Facets::dielectric) {
-      const auto* dielectric = std::get_if<DielectricFresnel>(&material.fresnel);
-      if (dielectric == nullptr)
-        throw InputError(material.name, "dielectric facets need the Fresnel term \"dielectric\"");
-      eta_ = dielectric->eta[0];
-    }
+    if (facets == Facets::dielectric) eta_ = std::get<DielectricFresnel>(material.fresnel).eta[0];
     for (const Direction& omega : request.omega_i) {
       const bool outside = material.slopes().project(omega).c > 0;
       const Direction up = outside ? omega : negated(omega);
@@ -177,6 +172,13 @@ private:
   double eta_ = 1;
 };
 
+Estimates sum_of(const WalkResult::ByBounce& classes, std::size_t first, std::size_t last, std::size_t points) {
+  Estimates sums{points, std::vector<double>(walk_chunks * points, 0)};
+  for (std::size_t b = first; b <= std::min(last, bounce_classes); ++b)
+    for (std::size_t k = 0; k < sums.values.size(); ++k) sums.values[k] += classes[b - 1][k];
+  return sums;
+}
+
 template <class Shape>
 WalkResult run_all(const Material& material, Facets facets, const WalkRequest& request) {
   const Walker<Shape> walker(material, facets, request);
@@ -184,8 +186,8 @@ WalkResult run_all(const Material& material, Facets facets, const WalkRequest& r
   result.directions = request.omega_i.size();
   result.paths = (request.paths + walk_chunks - 1) / walk_chunks * walk_chunks;
   for (auto* estimates : {&result.reflected, &result.transmitted, &result.fresnel, &result.hits})
-    estimates->fill(WalkResult::Estimates(walk_chunks, 0));
-  result.lobe.fill(WalkResult::Estimates(walk_chunks * result.directions, 0));
+    estimates->fill(std::vector<double>(walk_chunks, 0));
+  result.lobe.fill(std::vector<double>(walk_chunks * result.directions, 0));
   std::array<std::size_t, walk_chunks> unfinished{};
   parallel_for(walk_chunks, request.threads, [&](std::size_t chunk) { walker.run(chunk, result, unfinished[chunk]); });
   for (const std::size_t count : unfinished) result.unfinished += count;
@@ -194,36 +196,37 @@ WalkResult run_all(const Material& material, Facets facets, const WalkRequest& r
 
 } // namespace
 
-Measured WalkResult::energy(const std::array<Estimates, bounce_classes>& from, std::size_t first,
-                            std::size_t last) const {
-  Estimates sums(walk_chunks, 0);
-  for (std::size_t b = first; b <= std::min(last, bounce_classes); ++b)
-    for (std::size_t chunk = 0; chunk < walk_chunks; ++chunk) sums[chunk] += from[b - 1][chunk];
-  return mean_of(sums);
+Estimates WalkResult::energy(const ByBounce& from, std::size_t first, std::size_t last) {
+  return sum_of(from, first, last, 1);
 }
 
-Measured WalkResult::lobe_at(std::size_t d, std::size_t first, std::size_t last) const {
-  Estimates sums(walk_chunks, 0);
-  for (std::size_t b = first; b <= std::min(last, bounce_classes); ++b)
-    for (std::size_t chunk = 0; chunk < walk_chunks; ++chunk) sums[chunk] += lobe[b - 1][chunk * directions + d];
-  return mean_of(sums);
+Estimates WalkResult::lobe_of(std::size_t first, std::size_t last) const {
+  return sum_of(lobe, first, last, directions);
 }
 
-Measured WalkResult::mean_fresnel(std::size_t k) const {
-  const double sum = mean_of(fresnel[k - 1]).value, count = mean_of(hits[k - 1]).value;
-  const double ratio = sum / count;
-  Estimates residuals(walk_chunks);
+Estimates WalkResult::mean_fresnel(std::size_t first, std::size_t last) const {
+  const Estimates sums = sum_of(fresnel, first, last, 1), counts = sum_of(hits, first, last, 1);
+  const double count = counts.at(0).value;
+  const double ratio = sums.at(0).value / count;
+  Estimates out{1, {}};
   for (std::size_t chunk = 0; chunk < walk_chunks; ++chunk)
-    residuals[chunk] = (fresnel[k - 1][chunk] - ratio * hits[k - 1][chunk]) / count;
-  return {ratio, mean_of(residuals).standard_error};
+    out.values.push_back(ratio + (sums.values[chunk] - ratio * counts.values[chunk]) / count);
+  return out;
+}
+
+void check_walk(const Material& material, Facets facets, const Direction& omega_o) {
+  if (!(material.slopes().project(omega_o).c > 0))
+    throw InputError(material.name, "omega_o is below the horizon of the mesosurface");
+  if (!std::holds_alternative<Beckmann>(material.distribution) && !std::holds_alternative<Ggx>(material.distribution))
+    throw InputError(material.name, "the walk on Smith's surface knows the distributions beckmann and ggx");
+  if (facets == Facets::dielectric && !std::holds_alternative<DielectricFresnel>(material.fresnel))
+    throw InputError(material.name, "dielectric facets need the Fresnel term \"dielectric\"");
 }
 
 WalkResult walk(const Material& material, Facets facets, const WalkRequest& request) {
-  if (!(material.slopes().project(request.omega_o).c > 0))
-    throw InputError(material.name, "omega_o is below the horizon of the mesosurface");
-  if (std::holds_alternative<Beckmann>(material.distribution)) return run_all<BeckmannShape>(material, facets, request);
-  if (std::holds_alternative<Ggx>(material.distribution)) return run_all<GgxShape>(material, facets, request);
-  throw InputError(material.name, "the walk on Smith's surface knows the distributions beckmann and ggx");
+  check_walk(material, facets, request.omega_o);
+  return std::holds_alternative<Beckmann>(material.distribution) ? run_all<BeckmannShape>(material, facets, request)
+                                                                 : run_all<GgxShape>(material, facets, request);
 }
 
 } // namespace brdfplot::simulation

@@ -34,37 +34,38 @@ inline constexpr std::size_t bounce_classes = 8;
 struct WalkRequest {
   Direction omega_o{0, 0, 1};
   std::vector<Direction> omega_i; ///< where the lobe is wanted; below the horizon: what is transmitted
-  std::size_t paths = 65536;      ///< rounded up to a multiple of the number of chunks, 64
+  std::size_t paths = 65536;      ///< rounded up to a multiple of the number of chunks
   std::uint64_t seed = 1;
   int threads = 1;
 };
 
 /// Paths go in so many chunks, one after the other within each: fixed, so that results do not depend on threads.
-inline constexpr std::size_t walk_chunks = 64;
+inline constexpr std::size_t walk_chunks = 32;
 
-/// What a walk measured: for each quantity one estimate a chunk. Index 0 of `bounces` is the first bounce, the last one
-/// all from bounce_classes on.
+/// What a walk measured, for each quantity one estimate a chunk. Bounces first..last count from 1; bounce_classes as
+/// the last one means: and all after.
 struct WalkResult {
-  using Estimates = std::vector<double>;
-  /// Energy that leaves upwards, and downwards, after so many bounces.
-  std::array<Estimates, bounce_classes> reflected, transmitted;
-  /// Sum of the Fresnel reflectance at the k-th bounce over the rays that have one, and their share of all rays.
-  std::array<Estimates, bounce_classes> fresnel, hits;
-  /// rho(o, i) c_i of direction d by bounces: lobe[bounce][chunk * directions + d].
-  std::array<Estimates, bounce_classes> lobe;
+  using ByBounce = std::array<std::vector<double>, bounce_classes>;
+  ByBounce reflected, transmitted; ///< energy that leaves upwards, downwards, after so many bounces
+  ByBounce fresnel, hits; ///< sum of the reflectance at the k-th bounce over the rays that have one, and their share
+  ByBounce lobe;          ///< rho(o, i) c_i of direction d: lobe[bounce][chunk * directions + d]
   std::size_t directions = 0;
   std::size_t paths = 0;
   std::size_t unfinished = 0; ///< paths that had not left after most_bounces; their energy is in no sum
 
-  /// Energy of bounces first..last (from 1; last = bounce_classes: and all after).
-  Measured energy(const std::array<Estimates, bounce_classes>& from, std::size_t first, std::size_t last) const;
-  /// The lobe in direction d.
-  Measured lobe_at(std::size_t d, std::size_t first, std::size_t last) const;
-  /// The mean Fresnel reflectance at bounce k (from 1) of the rays that have one; k = 1 is Eq. 105 of Heitz 2014.
-  Measured mean_fresnel(std::size_t k) const;
+  /// Energy, of `reflected` or `transmitted`; one point.
+  static Estimates energy(const ByBounce& from, std::size_t first, std::size_t last);
+  /// The lobe; a point for each direction.
+  Estimates lobe_of(std::size_t first, std::size_t last) const;
+  /// The mean Fresnel reflectance at these bounces of the rays that have one, linearised about the mean of all chunks;
+  /// of the first bounce alone it is Eq. 105 of Heitz 2014.
+  Estimates mean_fresnel(std::size_t first, std::size_t last) const;
 };
 
 inline constexpr int most_bounces = 10000;
+
+/// \throws InputError when walk() cannot do it.
+void check_walk(const Material& material, Facets facets, const Direction& omega_o);
 
 /// Walks. The lobe is estimated at every vertex (phase function times G1), so that it is smooth: its values in
 /// different directions come from the same walks. Domain: distributions `beckmann` and `ggx`, with any roughness,

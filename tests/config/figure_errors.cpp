@@ -49,6 +49,28 @@ void check_all(const std::vector<Case>& cases) {
 
 } // namespace
 
+TEST_CASE("figures: simulated terms") {
+  const auto walked = [](const std::string& keys, const std::string& at = R"("theta_o": 1)") {
+    return R"("series": [{"quantity": "albedo", "at": {)" + at + R"(}, "simulate": {)" + keys + "}}]";
+  };
+  const std::string walk = R"("source": "smith_walk")";
+  check_all({
+      {walked(""), "", "/panels/0/series/0/simulate", "\"source\" is missing"},
+      {walked(R"("source": "smith_wolk")"), "", "/panels/0/series/0/simulate/source", "did you mean \"smith_walk\"?"},
+      {walked(walk + R"(, "bounces": "5")"), "", "/panels/0/series/0/simulate/bounces",
+       "accepted: 1, 2, 3, 4, 2+, all"},
+      {walked(walk + R"(, "samples": 1)"), "", "/panels/0/series/0/simulate/samples", "found 1"},
+      {walked(walk + R"(, "facets": "dielectric")"), "", "/panels/0/series/0", "need the Fresnel term \"dielectric\""},
+      {walked(walk, R"("phi_o": 1)"), "", "/panels/0/series/0", "needs theta_o"},
+      {walked(walk, R"("theta_o": 2)"), "", "/panels/0/series/0", "below the horizon"},
+      {walked(walk, R"("theta_o": 1, "distribution": "phong")"), "", "/panels/0/series/0", "beckmann and ggx"},
+      {R"("series": [{"quantity": "g1", "at": {"theta_o": 1}, "simulate": {"source": "smith_walk"}}])", "",
+       "/panels/0/series/0", "unknown quantity of smith_walk \"g1\""},
+      {walked(walk), R"("kind": "heatmap", "y": {"variable": "alpha", "from": 0.1, "to": 1})",
+       "/panels/0/series/0/simulate", "a heat map is not simulated"},
+  });
+}
+
 TEST_CASE("figures: shape") {
   check_all({
       {"", R"("colums": 2)", "/colums", "did you mean \"columns\"?"},

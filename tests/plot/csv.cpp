@@ -31,6 +31,17 @@ TEST_CASE("CSV of a heat map has its cells, not its contours") {
   CHECK(to_csv(plot_tests::heatmap_figure()) == "panel,x,y,v\n,0,0,0\n,1,0,0\n,2,0,1\n,0,1,0\n,1,1,0\n,2,1,nan\n");
 }
 
+TEST_CASE("CSV of simulated series has their standard errors, of others none") {
+  Figure figure;
+  Panel panel;
+  panel.y.column = "energy";
+  panel.series.push_back({"exact", {1}, {2}, 0, {}, {}});
+  panel.series.push_back({"simulated", {1, 2}, {3, 4}, 0, {}, {0.5, 0.25}});
+  figure.panels.push_back(panel);
+  CHECK(to_csv(figure) ==
+        "panel,series,x,energy,energy_stderr\n,exact,1,2,\n,simulated,1,3,0.5\n,simulated,2,4,0.25\n");
+}
+
 TEST_CASE("CSV of an empty figure is the header") {
   CHECK(to_csv(Figure{}) == "panel,series,x,y\n");
   Figure map;

@@ -1,11 +1,16 @@
 #include "simulation/store.hpp"
 
+#include "math/parallel.hpp"
 #include "math/text_files.hpp"
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
+#include <thread>
 
 using namespace brdfplot;
 using namespace brdfplot::simulation;
@@ -75,4 +80,17 @@ TEST_CASE("a store takes no harm from broken files and folders") {
   CHECK(*nowhere.get("a", compute) == sample);
   CHECK(*nowhere.get("a", compute) == sample);
   CHECK(computed == 3);
+}
+
+TEST_CASE("what fails is not remembered, and two threads that ask for one result compute it once") {
+  Store store;
+  CHECK_THROWS_AS(store.get("a", []() -> Result { throw std::runtime_error("no"); }), std::runtime_error);
+  std::atomic<int> computed{0};
+  parallel_for(8, 4, [&](std::size_t) {
+    store.get("a", [&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      return ++computed, sample;
+    });
+  });
+  CHECK(computed == 1);
 }

@@ -1,0 +1,105 @@
+#include "config/figure_scope.hpp"
+
+#include "math/errors.hpp"
+#include "math/number.hpp"
+#include "plot/simulated.hpp"
+
+namespace brdfplot::config {
+
+bool is_numeric(const Json& value) { return angle()->matches(value); }
+
+plot::Setting to_setting(const std::string& variable, const Json& value) {
+  if (is_numeric(value)) return {variable, to_number(value)};
+  return {variable, value.get<std::string>()};
+}
+
+std::string word_for(const Json& value) {
+  if (value.is_number()) return format_number(value.get<double>());
+  auto text = value.get<std::string>();
+  const auto unit = text.find("deg");
+  if (!is_numeric(value) || unit == std::string::npos) return text;
+  constexpr const char* blank = " \t\r";
+  const auto first = text.find_first_not_of(blank);
+  return text.substr(first, text.find_last_not_of(blank, unit - 1) + 1 - first) + "°";
+}
+
+std::string substituted(std::string text, const std::map<std::string, std::string>& words) {
+  for (const auto& [variable, word] : words) {
+    const std::string mark = "{" + variable + "}";
+    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + word.size()))
+      text.replace(at, mark.size(), word);
+  }
+  return text;
+}
+
+plot::Simulate read_simulate(const Json& value) {
+  plot::Simulate out;
+  out.source = value["source"].get<std::string>();
+  out.bounces = value.value("bounces", out.bounces);
+  out.facets = value.value("facets", out.facets);
+  out.paths = value.value("paths", out.paths);
+  out.seed = value.value("seed", out.seed);
+  out.samples = value.value("samples", out.samples);
+  return out;
+}
+
+namespace {
+
+/// Runs `attempt`, with its errors told at a place of the file.
+template <class Attempt>
+void at_place(const JsonFile& file, const std::string& place, const Attempt& attempt) {
+  try {
+    attempt();
+  } catch (const InputError& error) {
+    file.fail(place, error.what());
+  }
+}
+
+/// Where the value of a parameter was set last, if not in the material itself.
+std::optional<std::string> place_of(const std::string& parameter, const Scope& scope, const std::vector<Sweep>& swept) {
+  for (std::size_t k = scope.at.size(); k > 0; --k)
+    if (scope.at[k - 1].variable == parameter) return scope.places[k - 1];
+  for (const Sweep& sweep : swept)
+    if (sweep.variable == parameter) return sweep.place;
+  return std::nullopt;
+}
+
+} // namespace
+
+void check_term(const JsonFile& file, const plot::Term& term, const std::string& pointer, const Scope& scope,
+                const std::vector<Sweep>& swept, double tolerance) {
+  plot::Configuration configuration(term.material);
+  for (std::size_t k = 0; k < scope.at.size(); ++k)
+    at_place(file, scope.places[k], [&] { configuration.set(scope.at[k]); });
+  std::vector<std::string> variables;
+  std::vector<double> from, to;
+  for (const Sweep& sweep : swept) {
+    for (const double end : {sweep.from, sweep.to})
+      at_place(file, sweep.place, [&] { configuration.set({sweep.variable, end}); });
+    variables.push_back(sweep.variable);
+    from.push_back(sweep.from);
+    to.push_back(sweep.to);
+  }
+  const auto check_ends = [&](const auto& function) {
+    try {
+      function.check(from);
+      function.check(to);
+    } catch (const MaterialError& error) {
+      const auto place = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope, swept);
+      if (place) file.fail(*place, error.reason());
+      file.fail(pointer, error.pointer() + ": " + error.reason());
+    } catch (const InputError& error) {
+      file.fail(pointer, error.what());
+    }
+  };
+  if (term.simulate) {
+    std::optional<plot::SimulatedTerm> simulated;
+    at_place(file, pointer, [&] { simulated.emplace(term, variables); });
+    return check_ends(*simulated);
+  }
+  std::optional<plot::TermFunction> function;
+  at_place(file, pointer + "/quantity", [&] { function.emplace(term, variables, tolerance); });
+  check_ends(*function);
+}
+
+} // namespace brdfplot::config

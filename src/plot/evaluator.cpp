@@ -1,0 +1,119 @@
+#include "plot/evaluator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brdfplot::plot {
+
+namespace {
+
+using simulation::Measured;
+
+constexpr double pi = std::numbers::pi;
+
+/// Where a term over `variable` may have something narrow: the normal of the mesosurface, the direction that it mirrors
+/// the other one to, the other direction itself.
+std::vector<double> narrow_places(const std::string& variable, const Configuration& fixed) {
+  const auto angle = [&](const char* name) { return fixed.angle(name).value_or(0); };
+  const Vec2 mean = fixed.mean_slope();
+  // The slope of the mean normal in the plane of azimuth phi.
+  const auto slope = [&](double phi) { return -mean[0] * std::cos(phi) - mean[1] * std::sin(phi); };
+  const auto around = [&](double phi) {
+    return std::vector<double>{phi, phi - pi, phi + pi, phi - 2 * pi, phi + 2 * pi};
+  };
+  if (variable == "slope") return {slope(angle("phi_m"))};
+  if (variable == "phi_i") return around(angle("phi_o"));
+  if (variable == "phi_o") return around(angle("phi_i"));
+  if (variable == "phi_m") {
+    auto out = around(std::atan2(-mean[1], -mean[0]));
+    for (const double phi : around(angle("phi_o"))) out.push_back(phi);
+    return out;
+  }
+  if (!variable.starts_with("theta_")) return {};
+  const double normal = std::atan(slope(angle(variable == "theta_i"   ? "phi_i"
+                                              : variable == "theta_o" ? "phi_o"
+                                                                      : "phi_m")));
+  std::vector<double> out = {0, normal};
+  const auto other = fixed.angle(variable == "theta_o" ? "theta_i" : "theta_o");
+  if (!other) return out;
+  for (const double theta : {*other, -*other}) {
+    out.push_back(theta);
+    if (variable != "theta_m") out.push_back(2 * normal + theta);
+  }
+  return out;
+}
+
+} // namespace
+
+Evaluator::Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance)
+    : operation_(expression.operation) {
+  if (operation_ == Expression::Operation::term && expression.term.simulate)
+    simulated_.emplace(expression.term, swept);
+  else if (operation_ == Expression::Operation::term)
+    term_.emplace(expression.term, swept, tolerance);
+  for (const auto& operand : expression.operands) operands_.emplace_back(operand, swept, tolerance);
+}
+
+double Evaluator::operator()(const std::vector<double>& x) const {
+  switch (operation_) {
+  case Expression::Operation::term: return (*term_)(x);
+  case Expression::Operation::difference: return operands_[0](x) - operands_[1](x);
+  case Expression::Operation::ratio: return operands_[0](x) / operands_[1](x);
+  case Expression::Operation::absolute: return std::fabs(operands_[0](x));
+  }
+  return 0;
+}
+
+std::vector<double> Evaluator::seeds(const std::string& variable) const {
+  std::vector<double> out;
+  if (term_) out = narrow_places(variable, term_->fixed());
+  for (const auto& operand : operands_) {
+    const auto more = operand.seeds(variable);
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+bool Evaluator::costly() const {
+  return (term_ && term_->is_integral()) ||
+         std::ranges::any_of(operands_, [](const Evaluator& operand) { return operand.costly(); });
+}
+
+std::vector<const SimulatedTerm*> Evaluator::simulated() const {
+  std::vector<const SimulatedTerm*> out;
+  if (simulated_) out.push_back(&*simulated_);
+  for (const auto& operand : operands_) {
+    const auto more = operand.simulated();
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+std::vector<Measured> Evaluator::measure(const std::vector<double>& x, simulation::Store& store, int threads) const {
+  if (simulated_) return simulated_->measure(x, store, threads);
+  std::vector<Measured> out(x.size());
+  if (term_) {
+    for (std::size_t k = 0; k < x.size(); ++k) out[k] = {(*term_)({x[k]}), 0};
+    return out;
+  }
+  const auto a = operands_[0].measure(x, store, threads);
+  const auto b = operands_.size() > 1 ? operands_[1].measure(x, store, threads) : a;
+  for (std::size_t k = 0; k < x.size(); ++k) out[k] = combine(a[k], b[k]);
+  return out;
+}
+
+Measured Evaluator::combine(const Measured& a, const Measured& b) const {
+  switch (operation_) {
+  case Expression::Operation::difference: return {a.value - b.value, std::hypot(a.standard_error, b.standard_error)};
+  case Expression::Operation::ratio: {
+    const double ratio = a.value / b.value;
+    return {ratio, std::hypot(a.standard_error, ratio * b.standard_error) / std::fabs(b.value)};
+  }
+  case Expression::Operation::absolute: return {std::fabs(a.value), a.standard_error};
+  case Expression::Operation::term: break;
+  }
+  return a;
+}
+
+} // namespace brdfplot::plot

@@ -1,0 +1,42 @@
+/// \file
+/// An expression of a figure, ready to be evaluated.
+#pragma once
+
+#include "plot/simulated.hpp"
+#include "plot/term.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace brdfplot::plot {
+
+class Evaluator {
+public:
+  /// \throws InputError as TermFunction and SimulatedTerm do.
+  Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance);
+
+  /// The value of an expression without simulated terms.
+  double operator()(const std::vector<double>& x) const;
+
+  /// Where a curve over `variable` may have something narrow.
+  std::vector<double> seeds(const std::string& variable) const;
+
+  /// Whether there is an integral among the terms.
+  bool costly() const;
+
+  /// The simulated terms, of which there may be none.
+  std::vector<const SimulatedTerm*> simulated() const;
+
+  /// Values with their standard errors; operands count as independent of each other.
+  std::vector<simulation::Measured> measure(const std::vector<double>& x, simulation::Store& store, int threads) const;
+
+private:
+  simulation::Measured combine(const simulation::Measured& a, const simulation::Measured& b) const;
+
+  Expression::Operation operation_;
+  std::optional<TermFunction> term_;
+  std::optional<SimulatedTerm> simulated_;
+  std::vector<Evaluator> operands_;
+};
+
+} // namespace brdfplot::plot

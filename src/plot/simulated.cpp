@@ -1,0 +1,94 @@
+#include "plot/simulated.hpp"
+
+#include "math/number.hpp"
+#include "microfacet/registry.hpp"
+
+#include <algorithm>
+
+namespace brdfplot::plot {
+
+namespace {
+
+std::string text_of(const Value& value) {
+  struct Visitor {
+    std::string operator()(double x) const { return format_number(x); }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const Vec2& v) const { return format_number(v[0]) + ";" + format_number(v[1]); }
+    std::string operator()(const Rgb& v) const {
+      return format_number(v[0]) + ";" + format_number(v[1]) + ";" + format_number(v[2]);
+    }
+  };
+  return std::visit(Visitor{}, value);
+}
+
+std::string text_of(const ModelChoice& choice) {
+  std::string out = choice.type + "{";
+  for (const auto& [key, value] : choice.values.map()) out += key + "=" + text_of(value) + ",";
+  return out + "}";
+}
+
+const SimulationSource& source_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto* source : simulation_sources()) {
+    if (source->name() == name) return *source;
+    names.push_back(source->name());
+  }
+  throw InputError("", unknown_name("source", name, names));
+}
+
+} // namespace
+
+const std::vector<const SimulationSource*>& simulation_sources() {
+  static const std::vector<const SimulationSource*> all = {&smith_walk_source()};
+  return all;
+}
+
+std::string defining_text(const MaterialDescription& material) {
+  return text_of(material.distribution) + " " + text_of(material.fresnel);
+}
+
+std::string defining_text(const Direction& direction) {
+  return format_number(direction.x) + " " + format_number(direction.y) + " " + format_number(direction.z);
+}
+
+SimulatedTerm::SimulatedTerm(const Term& term, std::vector<std::string> swept)
+    : term_(term), configuration_(term, std::move(swept)), source_(&source_named(term.simulate.value().source)) {
+  const auto names = source_->quantities();
+  if (std::ranges::find(names, term.quantity) == names.end())
+    throw InputError("", unknown_name("quantity of " + source_->name(), term.quantity, names));
+}
+
+void SimulatedTerm::check(const std::vector<double>& values) const { source_->check(term_, configuration_.at(values)); }
+
+std::vector<SimulatedTerm::Job> SimulatedTerm::jobs(const std::vector<double>& x) const {
+  std::vector<Job> jobs;
+  std::vector<std::string> groups;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    auto point = configuration_.at({x[k]});
+    source_->check(term_, point);
+    const std::string group = source_->group(term_, point);
+    const auto found = static_cast<std::size_t>(std::ranges::find(groups, group) - groups.begin());
+    if (found == groups.size()) {
+      groups.push_back(group);
+      jobs.emplace_back();
+    }
+    jobs[found].indices.push_back(k);
+    jobs[found].points.push_back(std::move(point));
+  }
+  for (Job& job : jobs) job.key = source_->key(term_, job.points);
+  return jobs;
+}
+
+std::vector<simulation::Measured> SimulatedTerm::measure(const std::vector<double>& x, simulation::Store& store,
+                                                         int threads) const {
+  std::vector<simulation::Measured> out(x.size());
+  for (const Job& job : jobs(x)) {
+    const auto result = store.get(job.key, [&] { return run(job, threads); });
+    const simulation::Estimates& estimates = result->at(source_->output(term_));
+    for (std::size_t k = 0; k < job.indices.size(); ++k)
+      out[job.indices[k]] = estimates.at(estimates.points == 1 ? 0 : k);
+  }
+  return out;
+}
+
+} // namespace brdfplot::plot

@@ -1,0 +1,132 @@
+#include "plot/simulated.hpp"
+#include "analysis/integrals.hpp"
+#include "materials.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+using namespace test;
+using namespace brdfplot::plot;
+using simulation::Store;
+
+namespace {
+
+Term walked(const std::string& quantity, const std::string& bounces, std::vector<Setting> at) {
+  Term term{quantity, describe("ggx", 0.7), std::move(at), Simulate{}};
+  term.simulate->source = "smith_walk";
+  term.simulate->bounces = bounces;
+  term.simulate->paths = 20000;
+  term.simulate->samples = 7;
+  return term;
+}
+
+Expression expression(const Term& term) {
+  Expression out;
+  out.term = term;
+  return out;
+}
+
+FigureDescription figure(const std::string& variable, double from, double to, const std::vector<Term>& terms,
+                         Kind kind = Kind::lines) {
+  FigureDescription out;
+  out.id = "fig";
+  out.kind = kind;
+  PanelDescription panel;
+  panel.x.column = variable;
+  panel.x.from = from;
+  panel.x.to = to;
+  for (const Term& term : terms) panel.series.push_back({term.quantity, expression(term), {}});
+  out.panels.push_back(panel);
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("a simulated series has the points it asks for, with errors about the computed ones") {
+  const Term computed{"albedo", describe("ggx", 0.7), {}, {}};
+  const auto series = compute(figure("theta_o", 0, 1.2, {walked("albedo", "1", {}), computed})).panels.at(0).series;
+  REQUIRE(series.size() == 2);
+  REQUIRE(series[0].x.size() == 7);
+  CHECK(series[0].x.front() == 0);
+  CHECK(series[0].x.back() == 1.2);
+  CHECK(series[1].error.empty());
+  for (std::size_t k = 0; k < 7; ++k) {
+    const double truth = compute_or_throw(Integral::albedo, material("ggx", 0.7), from_angles(series[0].x[k], 0), 1e-7);
+    CHECK(series[0].error.at(k) > 0);
+    CHECK(std::fabs(series[0].y[k] - truth) < 4 * series[0].error[k]);
+  }
+}
+
+TEST_CASE("figures are the same for any number of threads and with what a store remembers") {
+  const auto description =
+      figure("theta_i", -1.5, 1.5,
+             {walked("brdf_cos", "1", {{"theta_o", 1.0}}), walked("brdf_cos", "2+", {{"theta_o", 1.0}})}, Kind::polar);
+  Store store, other;
+  const std::string first = to_csv(compute(description, store, 1));
+  CHECK(to_csv(compute(description, store, 1)) == first);
+  CHECK(to_csv(compute(description, other, 3)) == first);
+  CHECK(to_svg(compute(description, store)).find("fill-opacity=\"0.35\"") != std::string::npos);
+}
+
+TEST_CASE("the simulations of a figure are listed once each, and fill the store") {
+  const auto lobes =
+      figure("theta_i", -1.5, 1.5,
+             {walked("brdf_cos", "1", {{"theta_o", 1.0}}), walked("brdf_cos", "2+", {{"theta_o", 1.0}})});
+  CHECK(simulations(lobes).size() == 1);
+  const auto energies = figure("alpha", 0.2, 1, {walked("albedo", "1", {{"theta_o", 1.0}})});
+  const auto tasks = simulations(energies);
+  REQUIRE(tasks.size() == 7);
+  Store store;
+  for (const auto& task : tasks) task.run(store, 1);
+  bool computed_again = false;
+  for (const auto& task : tasks) store.get(task.key, [&] { return computed_again = true, simulation::Result{}; });
+  CHECK_FALSE(computed_again);
+  const auto series = compute(energies, store).panels.at(0).series.at(0);
+  CHECK(series.y.front() > series.y.back());
+}
+
+TEST_CASE("what defines a simulation is in its key, and nothing else") {
+  const Term base = walked("albedo", "1", {{"theta_o", 1.0}});
+  const auto key = [](const Term& term) { return simulations(figure("phi_o", 0, 0.1, {term})).at(0).key; };
+  std::set<std::string> keys = {key(base)};
+  const auto differs = [&](const Term& term) { return keys.insert(key(term)).second; };
+  Term changed = base;
+  changed.simulate->bounces = "2+";
+  CHECK_FALSE(differs(changed));
+  changed.material.name = "another name";
+  CHECK_FALSE(differs(changed));
+  changed.simulate->seed = 2;
+  CHECK(differs(changed));
+  changed.simulate->paths = 30000;
+  CHECK(differs(changed));
+  changed.simulate->facets = "diffuse";
+  CHECK(differs(changed));
+  changed.material.distribution.values.set("alpha", 0.700001);
+  CHECK(differs(changed));
+  changed.material.distribution.type = "beckmann";
+  CHECK(differs(changed));
+  changed.material.fresnel = {.type = "schlick", .values = {}};
+  changed.material.fresnel.values.set("f0", 0.1);
+  CHECK(differs(changed));
+  changed.at = {{"theta_o", 1.1}};
+  CHECK(differs(changed));
+}
+
+TEST_CASE("differences and ratios of simulated terms carry their errors") {
+  const Term one = walked("albedo", "1", {}), more = walked("albedo", "2+", {});
+  auto description = figure("theta_o", 0, 1, {one, more, one, one});
+  auto& series = description.panels[0].series;
+  const auto combine = [&](Expression::Operation operation, const Term& b) {
+    Expression out;
+    out.operation = operation;
+    out.operands = {expression(one), expression(b)};
+    return out;
+  };
+  series[2].value = combine(Expression::Operation::difference, more);
+  series[3].value = combine(Expression::Operation::ratio, Term{"albedo", describe("ggx", 0.7), {}, {}});
+  const auto out = compute(description).panels.at(0).series;
+  CHECK(out[2].y[3] == doctest::Approx(out[0].y[3] - out[1].y[3]).epsilon(1e-14));
+  CHECK(out[2].error[3] == doctest::Approx(std::hypot(out[0].error[3], out[1].error[3])).epsilon(1e-12));
+  CHECK(std::fabs(out[3].y[3] - 1) < 4 * out[3].error[3]);
+}
