@@ -1,5 +1,6 @@
 #include "analysis/integrals.hpp"
 
+#include "analysis/hemisphere.hpp"
 #include "analysis/slope_domain.hpp"
 #include "math/number.hpp"
 
@@ -91,6 +92,7 @@ Estimate weak_furnace(const Material& material, const Direction& o, double toler
 /// int rho cos theta_i w(i) di over the directions above the horizon of the mesosurface.
 Estimate reflected_light(const Material& material, const Direction& o, double tolerance, int channel,
                          const std::function<double(const Direction&)>& weight) {
+  if (material.facet != Facet::specular) return integrate_hemisphere(material, o, tolerance, weight);
   Rows rows(o);
   std::vector<double> all;
   const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {

@@ -1,5 +1,8 @@
 #include "brdf/evaluate.hpp"
 
+#include "brdf/diffuse.hpp"
+#include "math/number.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -215,6 +218,19 @@ void evaluate_whole(const Material& material, const WholeKernel& kernel, Quantit
     colour(material, block, value, stride, out);
 }
 
+/// brdf and brdf_cos of facets that are no mirrors: an integral a row.
+void evaluate_diffuse(const Material& material, Quantity quantity, const Block& block, double* out) {
+  constexpr double accepted = 1e-9;
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const Direction i = at(block.i, k);
+    const Estimate brdf = diffuse_brdf(material, at(block.o, k), i);
+    if (!(brdf.error <= accepted * std::fabs(brdf.value)) && brdf.error > 0)
+      throw AccuracyError("brdf", "reached an error estimate of " + format_number(brdf.error) + " for a value of " +
+                                      format_number(brdf.value) + " (asked: a relative error of 1e-9)");
+    out[k] = brdf.value * (quantity == Quantity::brdf_cos ? std::max(0.0, material.slopes().project(i).c) : 1);
+  }
+}
+
 /// Quantities of both directions: g2, brdf, brdf_cos.
 void evaluate_pair(const Material& material, Quantity quantity, Block& block, std::size_t stride, double* out) {
   shadow(material, block);
@@ -292,7 +308,9 @@ void evaluate(const Material& material, Quantity quantity, const Batch& batch, d
     case Quantity::g2: evaluate_pair(material, quantity, block, batch.n, to); break;
     case Quantity::brdf:
     case Quantity::brdf_cos:
-      if (kernel)
+      if (material.facet == Facet::diffuse)
+        evaluate_diffuse(material, quantity, block, to);
+      else if (kernel)
         evaluate_whole(material, *kernel, quantity, block, batch.n, to);
       else
         evaluate_pair(material, quantity, block, batch.n, to);

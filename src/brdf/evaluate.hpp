@@ -54,12 +54,14 @@ struct Batch {
 ///   g2        G2(o, i, m), Eqs. 98-101
 ///   d_visible D_o(m), Eq. 16
 ///   fresnel   F(o.m)
-///   brdf      F D(h) G2(o, i, h) / (4 c_o c_i), Eq. 29 (1/sr)
+///   brdf      F D(h) G2(o, i, h) / (4 c_o c_i), Eq. 29 (1/sr); of diffuse facets Eq. 31, by quadrature (diffuse.hpp)
+///             with a relative error below 1e-9
 ///   brdf_cos  brdf times c_i
 /// Where c_o <= 0 or c_i <= 0, o.m <= 0, z_m <= 0 or the half vector is undefined (i = -o): 0, never NaN or infinity
 /// (but `brdf` with shadowing `none` grows like 1 / c_i towards the horizon).
 /// Any n. The value of a row depends on that row alone, to the last bit.
-/// \throws InputError when the material has no such quantity (Lambda of V-cavities).
+/// \throws InputError when the material has no such quantity (Lambda of V-cavities); AccuracyError when a quadrature
+/// (Lambda, or diffuse facets) misses its accuracy.
 void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out);
 
 /// One row; the first channel.

@@ -21,6 +21,17 @@ std::string default_shadowing(const Masking& masking) {
   return std::visit([](const auto& m) { return m.has_lambda; }, masking) ? "height_correlated" : "separable";
 }
 
+Facet make_facet(const MaterialDescription& description) {
+  const auto& names = facet_names();
+  const auto found = std::ranges::find(names, description.facet);
+  if (found == names.end()) throw MaterialError("/facet", unknown_name("value", description.facet, names));
+  const auto facet = static_cast<Facet>(found - names.begin());
+  if (facet != Facet::specular && description.fresnel.type != "none")
+    throw MaterialError("/fresnel/type", "found \"" + description.fresnel.type + "\" beside \"facet\": \"" +
+                                             description.facet + "\"; accepted: none");
+  return facet;
+}
+
 /// Sets `key` in `choice` if the model that it names has it.
 template <class List>
 bool set_in(ModelChoice& choice, const std::string& key, double value) {
@@ -46,6 +57,11 @@ bool set_in(ModelChoice& choice, const std::string& key, double value) {
 
 } // namespace
 
+const std::vector<std::string>& facet_names() {
+  static const std::vector<std::string> names = {"specular", "diffuse"};
+  return names;
+}
+
 int Material::channels() const {
   return std::visit([](const auto& f) { return f.coloured(); }, fresnel) ? 3 : 1;
 }
@@ -70,7 +86,12 @@ Material build(const MaterialDescription& description) {
                                                "\" needs a masking function with a Lambda, and \"" +
                                                description.masking.type +
                                                "\" has none; accepted: none, separable, minimum, direction_correlated");
-  return {description.name, std::move(distribution), masking, shadowing, make<Fresnel>("fresnel", description.fresnel)};
+  return {description.name,
+          std::move(distribution),
+          masking,
+          shadowing,
+          make<Fresnel>("fresnel", description.fresnel),
+          make_facet(description)};
 }
 
 void set_parameter(MaterialDescription& description, const std::string& key, double value) {

@@ -10,8 +10,18 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace brdfplot {
+
+/// How a facet reflects.
+enum class Facet {
+  specular, ///< a mirror (Heitz 2014, Eq. 29)
+  diffuse,  ///< Lambertian with albedo 1 (Eq. 31); see diffuse.hpp
+};
+
+/// The names of `Facet`, in its order.
+const std::vector<std::string>& facet_names();
 
 /// A material as data: names and parameters, not yet checked. Figures sweep its parameters.
 struct MaterialDescription {
@@ -20,15 +30,18 @@ struct MaterialDescription {
   ModelChoice masking{.type = "smith"};
   std::optional<ModelChoice> shadowing; ///< none given: default_shadowing of the masking function
   ModelChoice fresnel{.type = "none"};
+  std::string facet = "specular";
+  std::vector<std::string> claims{}; ///< properties that it is said to have (see analysis/properties.hpp)
 };
 
-/// A material that can be evaluated (see evaluate.hpp). All facets are specular.
+/// A material that can be evaluated (see evaluate.hpp).
 struct Material {
   std::string name;
   Distribution distribution;
   Masking masking;
   Shadowing shadowing;
   Fresnel fresnel;
+  Facet facet = Facet::specular;
 
   /// 3 when the Fresnel term is given per channel, else 1.
   int channels() const;
@@ -51,7 +64,8 @@ private:
 };
 
 /// Builds a material. Shadowing defaults to `height_correlated` where the masking function has a Lambda, to `minimum`
-/// for `v_cavity`, and to `separable` for those that are defined by a product (Heitz 2014, Eqs. 55, 58).
+/// for `v_cavity`, and to `separable` for those that are defined by a product (Heitz 2014, Eqs. 55, 58). A diffuse
+/// facet has no Fresnel term.
 /// \throws MaterialError
 Material build(const MaterialDescription& description);
 

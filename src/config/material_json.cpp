@@ -45,7 +45,8 @@ ShapePtr material_shape(bool top) {
        "kelemen"},
       {"fresnel", named("fresnel", [] { return model(specs_of<Fresnel>()); }), false,
        "Fresnel term; default none (F = 1)"},
-      {"facet", choice({"specular"}), false, "how a facet reflects"}};
+      {"facet", choice(facet_names()), false,
+       "how a facet reflects; default specular. A diffuse one has no Fresnel term"}};
   if (top) return object(std::move(fields), true);
   return named("material", [fields] { return object(fields); });
 }
@@ -58,6 +59,7 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
   if (value.contains("masking")) material.masking = to_choice<Masking>(value["masking"]);
   if (value.contains("shadowing")) material.shadowing = to_choice<Shadowing>(value["shadowing"]);
   if (value.contains("fresnel")) material.fresnel = to_choice<Fresnel>(value["fresnel"]);
+  if (value.contains("facet")) material.facet = value["facet"].get<std::string>();
   try {
     build(material);
   } catch (const MaterialError& error) {

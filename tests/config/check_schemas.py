@@ -43,6 +43,7 @@ GOOD = [
     ("material", "/$schema", "https://example.org/material.json"),
     ("material", "/name", "α"),
     ("material", "/facet", "specular"),
+    ("material", "/facet", "diffuse"),
     ("material", "/distribution", {"type": "beckmann", "alpha_x": 1, "alpha_y": 2, "correlation": -0.5, "mean_slope": [0, 1]}),
     ("material", "/distribution", {"type": "phong", "exponent": 0}),
     ("material", "/distribution", {"type": "gtr", "alpha": 0.1, "gamma": 2}),
@@ -108,7 +109,7 @@ BAD = [
     ("report", "/entries/0", "figure.json"),
     # Names
     ("material", "/distribution/type", "gxx"),
-    ("material", "/facet", "diffuse"),
+    ("material", "/facet", "difuse"),
     ("material", "/masking", {"type": "smiht"}),
     ("material", "/shadowing", {"type": "direction_correlated", "lambda": "heitz2013"}),
     ("figure", "/kind", "pie"),

@@ -1,0 +1,19 @@
+/// \file
+/// Integration over the directions of the light, for BRDFs that have no half vector to follow.
+#pragma once
+
+#include "brdf/material.hpp"
+#include "math/quadrature.hpp"
+
+#include <functional>
+
+namespace brdfplot {
+
+/// int rho(o, i) c_i w(i) di over the directions above the mesosurface, where rho is smooth on the scale of the
+/// hemisphere: facets that are not mirrors. Polar angles about the mean normal, cut where BRDFs of rough surfaces have
+/// a kink: at i = o, and where the azimuths of o and i are equal, at right angles or opposite. The error of rho itself
+/// is part of the estimate.
+Estimate integrate_hemisphere(const Material& material, const Direction& omega_o, double tolerance,
+                              const std::function<double(const Direction& omega_i)>& weight);
+
+} // namespace brdfplot

@@ -1,0 +1,117 @@
+#include "brdf/diffuse.hpp"
+
+#include "brdf/evaluate.hpp"
+#include "brdf/facing_normals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace brdfplot {
+
+namespace {
+
+/// evaluate() of normals that share the other directions.
+class AtNormals {
+public:
+  explicit AtNormals(const Material& material) : material_(material) {}
+
+  /// Into `out`, one value a normal; `o` and `i` where the quantity needs them.
+  void operator()(Quantity quantity, const Direction* o, const Direction* i, const std::vector<Direction>& normals,
+                  std::vector<double>& out) {
+    const std::size_t n = normals.size();
+    fill(m_, n, [&](std::size_t k) { return normals[k]; });
+    if (o != nullptr) fill(o_, n, [&](std::size_t) { return *o; });
+    if (i != nullptr) fill(i_, n, [&](std::size_t) { return *i; });
+    out.resize(n);
+    evaluate(material_, quantity,
+             {n, o != nullptr ? view(o_) : Columns{}, i != nullptr ? view(i_) : Columns{}, view(m_)}, out.data());
+  }
+
+private:
+  using Arrays = std::array<std::vector<double>, 3>;
+
+  template <class DirectionOf>
+  static void fill(Arrays& arrays, std::size_t n, const DirectionOf& direction_of) {
+    for (auto& array : arrays) array.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Direction d = direction_of(k);
+      arrays[0][k] = d.x;
+      arrays[1][k] = d.y;
+      arrays[2][k] = d.z;
+    }
+  }
+  static Columns view(const Arrays& arrays) { return {arrays[0].data(), arrays[1].data(), arrays[2].data()}; }
+
+  const Material& material_;
+  Arrays o_, i_, m_;
+};
+
+Direction mean_normal(const SlopeMap& map) { return normalized({-map.mean_x, -map.mean_y, 1}); }
+
+/// int <i,m> di / pi of one facet, by directions in steps of <i,m> and of azimuth about m: a Gauss rule that is exact
+/// for it.
+double light_on_facet(const Direction& m) {
+  const Direction along = std::fabs(m.x) < 0.5 ? Direction{1, 0, 0} : Direction{0, 1, 0};
+  const Direction t = normalized(along + -dot(along, m) * m);
+  const Direction b{m.y * t.z - m.z * t.y, m.z * t.x - m.x * t.z, m.x * t.y - m.y * t.x};
+  const double gauss = 0.5 / std::sqrt(3.0);
+  double sum = 0;
+  for (const double z : {0.5 - gauss, 0.5 + gauss})
+    for (int k = 0; k < 4; ++k) {
+      const double r = std::sqrt(1 - z * z), psi = 0.5 * std::numbers::pi * k;
+      const Direction i = z * m + (r * std::cos(psi)) * t + (r * std::sin(psi)) * b;
+      sum += std::max(0.0, dot(i, m)) * (0.5 * 0.5 * std::numbers::pi);
+    }
+  return sum * std::numbers::inv_pi;
+}
+
+} // namespace
+
+Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
+                      const Tolerance& tolerance) {
+  const SlopeMap& map = material.slopes();
+  const double c_o = map.project(omega_o).c;
+  const double c_i = map.project(omega_i).c;
+  if (!(c_o > 0 && c_i > 0)) return {};
+  AtNormals at(material);
+  std::vector<double> g2;
+  // With a Lambda, G2 is one number for all normals that face both; the mean normal does.
+  const bool constant = material.has_lambda();
+  if (constant) at(Quantity::g2, &omega_o, &omega_i, {mean_normal(map)}, g2);
+  const double scale = (constant ? g2[0] / c_o / c_i : 1 / c_o / c_i) * std::numbers::inv_pi;
+  const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
+    at(Quantity::d, nullptr, nullptr, m, out);
+    if (!constant) at(Quantity::g2, &omega_o, &omega_i, m, g2);
+    for (std::size_t k = 0; k < m.size(); ++k) {
+      const double facing = std::max(0.0, dot(omega_o, m[k])) * std::max(0.0, dot(omega_i, m[k]));
+      out[k] *= facing * scale * (constant ? 1 : g2[k]);
+    }
+  };
+  const std::array<Direction, 2> both = {omega_o, omega_i};
+  return integrate_over_facing(map, both, !constant, integrand, tolerance);
+}
+
+Estimate diffuse_weak_furnace(const Material& material, const Direction& omega_o, double tolerance) {
+  const double c_o = material.slopes().project(omega_o).c;
+  AtNormals at(material);
+  std::vector<double> g1;
+  const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
+    at(Quantity::d, nullptr, nullptr, m, out);
+    at(Quantity::g1, &omega_o, nullptr, m, g1);
+    for (std::size_t k = 0; k < m.size(); ++k)
+      out[k] *= g1[k] * std::max(0.0, dot(omega_o, m[k])) / c_o * light_on_facet(m[k]);
+  };
+  return integrate_over_facing(material.slopes(), std::span(&omega_o, 1), !material.has_lambda(), integrand,
+                               {.absolute = tolerance});
+}
+
+Estimate ground_area(const Material& material, double tolerance) {
+  AtNormals at(material);
+  const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
+    at(Quantity::d_cos, nullptr, nullptr, m, out);
+  };
+  return integrate_over_facing(material.slopes(), {}, false, integrand, {.absolute = tolerance});
+}
+
+} // namespace brdfplot

@@ -1,0 +1,158 @@
+#include "brdf/diffuse.hpp"
+#include "../materials.hpp"
+#include "analysis/hemisphere.hpp"
+#include "analysis/integrals.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace test;
+
+namespace {
+
+MaterialDescription diffuse(MaterialDescription description) {
+  description.facet = "diffuse";
+  return description;
+}
+
+double one(const Direction&) { return 1; }
+
+} // namespace
+
+TEST_CASE("diffuse facets agree with a fine product rule over the normals") {
+  // Eq. 31 by a midpoint rule in theta_m and phi_m, which knows nothing of slopes, horizons or kinks.
+  struct Case {
+    MaterialDescription material;
+    double theta_o, theta_i, azimuth;
+  };
+  const std::vector<Case> cases = {{describe("beckmann", 0.4), 0.3, 1.0, 0.5},
+                                   {describe("ggx", 0.8), 1.2, 1.3, 3.0},
+                                   {describe("beckmann", 0.6, "v_cavity"), 1.0, 0.7, 0.2},
+                                   {describe("ggx", 0.5, "v_cavity"), 1.3, 1.3, 2.0},
+                                   {shadowed(describe("beckmann", 0.5), "minimum"), 1.3, 0.4, 1.0},
+                                   {describe("ggx", 0.5, "kelemen"), 0.9, 0.6, 1.0},
+                                   {general("beckmann", 0.3, 0.6, 0.4, {0.2, -0.1}), 0.8, 1.1, 1.9}};
+  for (const auto& [description, theta_o, theta_i, azimuth] : cases) {
+    const Material m = build(diffuse(description));
+    const Direction o = from_angles(theta_o, 0.3), i = from_angles(theta_i, 0.3 + azimuth);
+    constexpr int rows = 600, columns = 600;
+    double sum = 0;
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        const double theta = (row + 0.5) * 0.5 * std::numbers::pi / rows;
+        const Direction normal = from_angles(theta, (column + 0.5) * 2 * std::numbers::pi / columns);
+        if (dot(o, normal) <= 0 || dot(i, normal) <= 0) continue;
+        sum += std::sin(theta) * dot(o, normal) * dot(i, normal) * evaluate(m, Quantity::g2, o, i, normal) *
+               value_at_normal(m, Quantity::d, o, normal);
+      }
+    sum *= 0.5 * std::numbers::pi / rows * 2 * std::numbers::pi / columns;
+    const double expected = sum / (std::numbers::pi * m.slopes().project(o).c * m.slopes().project(i).c);
+    INFO(m.name << ", theta_o = " << theta_o);
+    const Estimate estimate = diffuse_brdf(m, o, i);
+    CHECK(relative(estimate.value, expected) < 2e-4);
+    CHECK(estimate.error <= 1e-9 * estimate.value);
+    CHECK(value(m, Quantity::brdf, o, i) == estimate.value);
+    CHECK(value(m, Quantity::brdf_cos, o, i) == doctest::Approx(estimate.value * m.slopes().project(i).c));
+    CHECK(relative(value(m, Quantity::brdf, i, o), estimate.value) < 1e-9); // reciprocal
+  }
+}
+
+TEST_CASE("the estimate of a diffuse BRDF is honest, wherever one looks") {
+  std::mt19937_64 engine(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 60; ++k) {
+    const double ax = 0.02 * std::pow(100, unit(engine)), ay = ax * std::pow(4, 2 * unit(engine) - 1);
+    const Vec2 mean = k % 3 == 0 ? Vec2{0.3 * unit(engine), -0.3 * unit(engine)} : Vec2{0, 0};
+    const Material m = build(diffuse(general(k % 2 == 0 ? "beckmann" : "ggx", ax, ay, 1.6 * unit(engine) - 0.8, mean,
+                                             k % 4 == 3 ? "v_cavity" : "smith")));
+    const Direction o = from_angles(unit(engine) * 89 * degree, 6.3 * unit(engine));
+    const Direction i = from_angles(unit(engine) * 89 * degree, 6.3 * unit(engine));
+    const Estimate fine = diffuse_brdf(m, o, i, {.relative = 1e-12});
+    const Estimate coarse = diffuse_brdf(m, o, i, {.relative = 1e-5});
+    INFO("case " << k << ": " << m.name << ", alpha_x = " << ax << ", alpha_y = " << ay);
+    CHECK(std::fabs(coarse.value - fine.value) <= coarse.error + fine.error);
+    CHECK(fine.value >= 0);
+  }
+}
+
+TEST_CASE("a smooth surface of diffuse facets is Lambertian, at grazing angles too where it is smooth enough") {
+  const Material m = build(diffuse(describe("beckmann", 1e-4)));
+  for (const double theta : {0.0, 0.7, 1.5})
+    CHECK(value(m, Quantity::brdf, from_angles(theta, 0), from_angles(0.6, 2)) ==
+          doctest::Approx(std::numbers::inv_pi).epsilon(1e-6));
+  CHECK(value(m, Quantity::brdf, from_angles(2, 0), {0, 0, 1}) == 0);
+  CHECK(value(m, Quantity::brdf, {0, 0, 1}, {1, 0, 0}) == 0);
+  CHECK(compute_or_throw(Integral::albedo, m, from_angles(0.8, 0.3), 1e-5) == doctest::Approx(1).epsilon(2e-5));
+}
+
+TEST_CASE("the albedo of diffuse facets: with masking alone all light leaves, with shadowing less") {
+  // Eq. 37 over the sphere of the light: below the horizon G2 = G1 is no longer 0, so only its part above is here.
+  for (const auto* type : {"beckmann", "ggx"}) {
+    const Material m = build(diffuse(describe(type, 0.5)));
+    const Direction o = from_angles(0.9, 0.2);
+    const Estimate coarse = integrate_hemisphere(m, o, 1e-3, one);
+    const Estimate fine = integrate_hemisphere(m, o, 1e-5, one);
+    CHECK(std::fabs(coarse.value - fine.value) <= coarse.error + fine.error);
+    CHECK(fine.error <= 1e-5);
+    CHECK(fine.value < 1);
+    const Estimate alone = integrate_hemisphere(build(diffuse(shadowed(describe(type, 0.5), "none"))), o, 1e-4, one);
+    CHECK(alone.value > fine.value);
+    CHECK(alone.value < 1);
+  }
+  // The same by Monte Carlo-free brute force: a midpoint rule over the hemisphere.
+  const Material m = build(diffuse(describe("beckmann", 0.7, "v_cavity")));
+  const Direction o = from_angles(1.1, 0);
+  double sum = 0;
+  constexpr int rows = 40, columns = 40;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double theta = (row + 0.5) * 0.5 * std::numbers::pi / rows;
+      const Direction i = from_angles(theta, (column + 0.5) * std::numbers::pi / columns);
+      sum += std::sin(theta) * std::cos(theta) * diffuse_brdf(m, o, i, {.relative = 1e-5}).value;
+    }
+  sum *= 2 * 0.5 * std::numbers::pi / rows * std::numbers::pi / columns;
+  CHECK(compute(Integral::albedo, m, o, 1e-5).value == doctest::Approx(sum).epsilon(1e-3));
+}
+
+TEST_CASE("Eq. 37 holds for what is physically based, and is the double integral that the paper writes") {
+  for (const auto* masking : {"smith", "v_cavity"})
+    for (const auto& description :
+         {describe("beckmann", 0.1, masking), general("ggx", 0.3, 0.8, 0.5, {0.1, 0.2}, masking)})
+      for (const double theta : {0.0, 0.8, 1.2}) {
+        const Estimate e = diffuse_weak_furnace(build(description), from_angles(theta, 1), 1e-9);
+        CHECK(std::fabs(e.value - 1) <= e.error + 1e-12);
+        CHECK(e.error <= 1e-9);
+      }
+  // The order of the paper: for every direction of the light, on either side of the surface, the facets that see it.
+  const Material m = material("ggx", 0.6, "schlick_smith");
+  const Direction o = from_angles(1.0, 0);
+  constexpr int rows = 60, columns = 60;
+  double sum = 0;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double z = -1 + 2 * (row + 0.5) / rows;
+      const Direction i = from_angles(std::acos(z), (column + 0.5) * std::numbers::pi / columns);
+      double inner = 0;
+      for (int a = 0; a < 50; ++a)
+        for (int b = 0; b < 50; ++b) {
+          const double theta = (a + 0.5) * 0.5 * std::numbers::pi / 50;
+          const Direction normal = from_angles(theta, (b + 0.5) * 2 * std::numbers::pi / 50);
+          inner += std::sin(theta) * std::max(0.0, dot(o, normal)) * std::max(0.0, dot(i, normal)) *
+                   value_at_normal(m, Quantity::d, o, normal);
+        }
+      sum += inner * 0.5 * std::numbers::pi / 50 * 2 * std::numbers::pi / 50;
+    }
+  sum *= g1(m, o) * 2 * 2.0 / rows * std::numbers::pi / columns / (std::numbers::pi * o.z);
+  CHECK(diffuse_weak_furnace(m, o, 1e-9).value == doctest::Approx(sum).epsilon(3e-3));
+}
+
+TEST_CASE("every distribution covers the ground once") {
+  for (const auto& description : {describe("beckmann", 0.01), describe("ggx", 2), describe("phong", 0.3),
+                                  general("ggx", 0.1, 1, -0.9, {1, -2})}) {
+    const Estimate e = ground_area(build(description), 1e-10);
+    INFO(description.name);
+    CHECK(std::fabs(e.value - 1) <= e.error + 1e-13);
+    CHECK(e.error <= 1e-10);
+  }
+}
