@@ -2,6 +2,7 @@
 
 #include "analysis/hemisphere.hpp"
 #include "analysis/slope_domain.hpp"
+#include "analysis/visible_area.hpp"
 #include "math/number.hpp"
 
 #include <algorithm>
@@ -47,16 +48,22 @@ private:
   Columns3 o, i, m;
 };
 
-using Weight = std::function<double(const Direction& omega_m, const Direction& omega_i)>;
+/// Whether the integrands of Eqs. 13, 18 and 36 have the mirror image of the frame: they do where G1 does not depend on
+/// the normal, or through o.m / z_m alone.
+FacingIntegrand facing(const Material& material, const SlopeFrame& frame, NormalIntegrand value) {
+  const bool cavity = std::holds_alternative<VCavity>(material.masking);
+  return {std::move(value), frame.symmetric() || material.has_lambda() || cavity, cavity};
+}
 
-/// int D_o(m) w(m, i) dm over the facing normals.
+/// int D_o(m) dm over the facing normals.
 Estimate visible(const Material& material, const Direction& o, double tolerance) {
   Rows rows(o);
+  const SlopeFrame frame(material.slopes(), o);
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
     const Batch batch = rows.fill(m.size(), false, true, [&](std::size_t k) { return m[k]; });
     evaluate(material, Quantity::d_visible, batch, out.data());
   };
-  return integrate_normals(SlopeFrame(material.slopes(), o), integrand, false, tolerance);
+  return integrate_facing(frame, facing(material, frame, integrand), tolerance);
 }
 
 /// int G1 <o,m> D dm, each factor by itself.
@@ -71,7 +78,7 @@ Estimate projected_area(const Material& material, const Direction& o, double tol
     for (std::size_t k = 0; k < m.size(); ++k) out[k] *= std::max(0.0, dot(o, m[k])) * density[k];
   };
   const SlopeFrame frame(material.slopes(), o);
-  return integrate_normals(frame, integrand, false, tolerance * frame.c());
+  return integrate_facing(frame, facing(material, frame, integrand), tolerance * frame.c());
 }
 
 /// Eq. 36 over omega_i, with d omega_i = 4 (o.h) d omega_h: the half vector is found again from omega_i.
@@ -86,7 +93,65 @@ Estimate weak_furnace(const Material& material, const Direction& o, double toler
     evaluate(material, Quantity::g1, batch, out.data());
     for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * frame.c()) * (4 * dot(o, h[k]));
   };
-  return integrate_normals(frame, integrand, false, tolerance);
+  return integrate_facing(frame, facing(material, frame, integrand), tolerance);
+}
+
+/// Eqs. 13, 18 and 36 where G1 is one number: G1 / c times the area of the facing normals, times c for Eq. 13.
+Estimate visible_of_lambda(Integral integral, const Material& material, const Direction& o, double tolerance) {
+  const SlopeFrame frame(material.slopes(), o);
+  const double g1 = evaluate(material, Quantity::g1, o, std::nullopt, std::nullopt);
+  const double scale = integral == Integral::projected_area ? g1 : g1 / frame.c();
+  const double asked = integral == Integral::projected_area ? tolerance * frame.c() : tolerance;
+  const Estimate area = visible_area(material, frame, asked / scale);
+  return {scale * area.value, scale * area.error, area.evaluations};
+}
+
+/// A kink switch as a function of the half vector and the light.
+template <class Function>
+NormalIntegrand switch_of(const Direction& o, const Function& function) {
+  return [o, function](const std::vector<Direction>& h, std::vector<double>& out) {
+    for (std::size_t k = 0; k < h.size(); ++k) out[k] = function(h[k], reflected(o, h[k]));
+  };
+}
+
+/// What changes its sign where G1(o) = G1(i): a_i - a_o where G1 is a function of a, c_i - c_o where it is one of c and
+/// what both directions share.
+NormalIntegrand comparison(const Material& material, const Direction& o) {
+  const SlopeMap& map = material.slopes();
+  const Projection viewer = map.project(o);
+  if (std::holds_alternative<SchlickSmithRational>(material.masking)) // Lambda goes with s h / (c (c + hypot(c, h)))
+    return switch_of(o, [&material, o](const Direction&, const Direction& i) {
+      return evaluate(material, Quantity::g1, i, std::nullopt, std::nullopt) -
+             evaluate(material, Quantity::g1, o, std::nullopt, std::nullopt);
+    });
+  if (!material.has_lambda())
+    return switch_of(o, [&map, viewer](const Direction&, const Direction& i) { return map.project(i).c - viewer.c; });
+  return switch_of(o, [&map, viewer](const Direction&, const Direction& i) {
+    const Projection light = map.project(i);
+    return light.c * viewer.s - viewer.c * light.s;
+  });
+}
+
+/// Where the shadowing and masking functions of a material have kinks.
+std::vector<NormalIntegrand> switches(const Material& material, const Direction& o) {
+  const SlopeMap& map = material.slopes();
+  const double c = map.project(o).c;
+  std::vector<NormalIntegrand> all;
+  if (std::visit([](const auto& s) { return s.compares; }, material.shadowing)) all.push_back(comparison(material, o));
+  if (std::holds_alternative<VCavity>(material.masking)) { // its other normal begins to be seen, or lit: 2 z_m c = o.m
+    all.push_back(switch_of(o, [o, c](const Direction& h, const Direction&) { return 2 * h.z * c - dot(o, h); }));
+    all.push_back(switch_of(
+        o, [o, &map](const Direction& h, const Direction& i) { return 2 * h.z * map.project(i).c - dot(o, h); }));
+  }
+  if (std::holds_alternative<SmithRational>(material.masking)) // where the fit becomes 0
+    all.push_back(switch_of(o, [&map](const Direction&, const Direction& i) {
+      const Projection light = map.project(i);
+      return light.c - SmithRational::end * light.s;
+    }));
+  const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
+  if (azimuth && !map.centred())
+    all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.y - o.y * i.x; }));
+  return all;
 }
 
 /// int rho cos theta_i w(i) di over the directions above the horizon of the mesosurface.
@@ -94,6 +159,7 @@ Estimate reflected_light(const Material& material, const Direction& o, double to
                          const std::function<double(const Direction&)>& weight) {
   if (material.facet != Facet::specular) return integrate_hemisphere(material, o, tolerance, weight);
   Rows rows(o);
+  const SlopeFrame frame(material.slopes(), o);
   std::vector<double> all;
   const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
     const std::size_t n = h.size();
@@ -103,7 +169,8 @@ Estimate reflected_light(const Material& material, const Direction& o, double to
     for (std::size_t k = 0; k < n; ++k)
       out[k] = all[static_cast<std::size_t>(channel) * n + k] * 4 * dot(o, h[k]) * weight(reflected(o, h[k]));
   };
-  return integrate_normals(SlopeFrame(material.slopes(), o), integrand, true, tolerance);
+  const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
+  return integrate_lit(frame, {integrand, switches(material, o), azimuth}, tolerance);
 }
 
 double one(const Direction&) { return 1; }
@@ -233,6 +300,15 @@ const std::vector<IntegralInfo>& integrals() {
 }
 
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o, double tolerance, int channel) {
+  const bool visible_one =
+      integral == Integral::projected_area || integral == Integral::visible_norm || integral == Integral::weak_furnace;
+  if (!visible_one || !material.has_lambda()) return compute_in_plane(integral, material, omega_o, tolerance, channel);
+  if (!(material.slopes().project(omega_o).c > 0)) return {};
+  return visible_of_lambda(integral, material, omega_o, tolerance);
+}
+
+Estimate compute_in_plane(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
+                          int channel) {
   if (!(material.slopes().project(omega_o).c > 0)) return {};
   switch (integral) {
   case Integral::projected_area: return projected_area(material, omega_o, tolerance);

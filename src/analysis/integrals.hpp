@@ -43,6 +43,12 @@ inline constexpr double default_tolerance = 1e-9;
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o,
                  double tolerance = default_tolerance, int channel = 0);
 
+/// compute() without the short cut: projected_area, visible_norm and weak_furnace of a masking function with a Lambda
+/// are one-dimensional, since G1 does not depend on the normal (see visible_area.hpp); here they are integrated over
+/// the plane of slopes as all the others, which tests the evaluation itself.
+Estimate compute_in_plane(Integral integral, const Material& material, const Direction& omega_o,
+                          double tolerance = default_tolerance, int channel = 0);
+
 /// compute(), or AccuracyError when the error estimate is above the tolerance.
 double compute_or_throw(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
                         int channel = 0);

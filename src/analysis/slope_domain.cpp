@@ -1,5 +1,7 @@
 #include "analysis/slope_domain.hpp"
 
+#include "math/cubature.hpp"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -41,19 +43,21 @@ SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o)
   b_ = {b.x(), b.y()};
   m_ = {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
   big_b_ = 1 + mean.squaredNorm();
+  plane_ = std::atan2(m(0, 0) * omega_o.y - m(1, 0) * omega_o.x, m(1, 1) * omega_o.x - m(0, 1) * omega_o.y);
   symmetric_ = map.alpha_x == map.alpha_y && map.correlation == 0 && map.centred();
 }
 
 Direction SlopeFrame::normal(double u1, double u2) const {
   const double x = mean_[0] + m_[0] * u1 + m_[1] * u2;
   const double y = mean_[1] + m_[2] * u1 + m_[3] * u2;
-  const double z = 1 / std::hypot(1.0, x, y);
+  // Slopes beyond 1e150 would overflow when squared; their normals are horizontal.
+  const double n2 = 1 + x * x + y * y;
+  const double z = n2 < infinity ? 1 / std::sqrt(n2) : 1 / std::hypot(1.0, x, y);
   return {-x * z, -y * z, z};
 }
 
-double SlopeFrame::reach(double cos_psi, double sin_psi, bool lit_only) const {
+double SlopeFrame::reach(double cos_psi, double sin_psi) const {
   const double horizon = cos_psi > 0 ? a() / cos_psi : infinity;
-  if (!lit_only) return horizon;
   const double b = b_[0] * cos_psi + b_[1] * sin_psi;
   const double x = m_[0] * cos_psi + m_[1] * sin_psi;
   const double y = m_[2] * cos_psi + m_[3] * sin_psi;
@@ -63,66 +67,246 @@ double SlopeFrame::reach(double cos_psi, double sin_psi, bool lit_only) const {
 
 namespace {
 
-/// The integral along one ray, over v = atan r.
-class Ray {
-public:
-  Ray(const SlopeFrame& frame, const NormalIntegrand& f, bool lit_only) : frame_(frame), f_(f), lit_only_(lit_only) {}
+/// Points of a chart: slopes and d^2 u per unit of the chart.
+struct ChartPoint {
+  double u1, u2, area;
+};
 
-  Estimate operator()(double psi, double tolerance) {
-    const double cos_psi = std::cos(psi);
-    const double sin_psi = std::sin(psi);
-    const double end = std::atan(frame_.reach(cos_psi, sin_psi, lit_only_));
-    // The V-cavity's other normal starts to face the viewer at u_1 = -a.
-    const double kink = cos_psi < 0 ? std::atan(-frame_.a() / cos_psi) : end;
-    const std::array<double, 3> cuts = {0, std::min(kink, end), end};
-    const auto integrand = [&](const double* v, double* y, std::size_t n) {
-      normals_.resize(n);
-      values_.resize(n);
-      for (std::size_t k = 0; k < n; ++k) {
-        const double r = std::tan(v[k]);
-        normals_[k] = frame_.normal(r * cos_psi, r * sin_psi);
-      }
-      f_(normals_, values_);
-      for (std::size_t k = 0; k < n; ++k) {
-        const double cos_v = std::cos(v[k]);
-        const double area = std::sin(v[k]) / (cos_v * cos_v * cos_v); // r dr / dv
-        y[k] = values_[k] == 0 ? 0 : values_[k] * frame_.jacobian(normals_[k]) * area;
-      }
-    };
-    return integrate(integrand, cuts, {.absolute = tolerance, .relative = 1e-13});
+/// An integrand over normals as one over charts.
+template <class Chart>
+Estimate integrate_charts(const SlopeFrame& frame, const NormalIntegrand& f, const Chart& chart,
+                          const std::vector<Rectangle>& rectangles, double tolerance) {
+  std::vector<Direction> normals;
+  std::vector<double> values, areas;
+  const auto integrand = [&](std::size_t index, const double* x, const double* y, double* out, std::size_t n) {
+    normals.resize(n);
+    values.resize(n);
+    areas.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const ChartPoint point = chart(index, x[k], y[k]);
+      normals[k] = frame.normal(point.u1, point.u2);
+      areas[k] = point.area;
+    }
+    f(normals, values);
+    for (std::size_t k = 0; k < n; ++k)
+      // The cube of z_m underflows from slopes of 1e100 on.
+      out[k] = normals[k].z > 1e-95 && values[k] != 0 ? values[k] * frame.jacobian(normals[k]) * areas[k] : 0;
+  };
+  return integrate_plane(integrand, rectangles, {.absolute = tolerance, .relative = 1e-14});
+}
+
+/// The charts of integrate_facing().
+class FacingCharts {
+public:
+  FacingCharts(const SlopeFrame& frame, const FacingIntegrand& f)
+      : a_(frame.a()), scale_(2 * std::hypot(1.0, a_)), kink_(f.kink), copies_(f.symmetric ? 2 : 1) {}
+
+  std::vector<Rectangle> rectangles() const {
+    std::vector<Rectangle> all;
+    const double rim = a_ == infinity ? 0 : spread / (spread + a_ * a_);
+    for (std::size_t mirrored = 0; mirrored < (copies_ == 2 ? 1U : 2U); ++mirrored) {
+      const std::size_t base = mirrored * chart_count;
+      all.push_back({rim, 1, 0, std::numbers::pi, base + inside});
+      if (a_ == infinity) continue;
+      all.push_back({0, 1, 0, 1, base + outside});
+      if (kink_) all.push_back({0, 1, 0, 1, base + behind});
+    }
+    return all;
+  }
+
+  ChartPoint operator()(std::size_t chart, double x, double y) const {
+    const double side = chart < chart_count ? 1 : -1;
+    if (chart % chart_count == inside) {
+      const double r = std::sqrt(spread * (1 - x) / x);
+      return {r * std::cos(y), side * r * std::sin(y), copies_ * 0.5 * spread / (x * x)};
+    }
+    const double t = scale_ * (1 - x) / x;
+    const double horizon = std::atan(t / a_);
+    double from = horizon;
+    double to = std::numbers::pi;
+    if (kink_) (chart % chart_count == outside ? to : from) = std::numbers::pi - horizon;
+    const double psi = from + (to - from) * y;
+    const double r = std::hypot(a_, t);
+    return {r * std::cos(psi), side * r * std::sin(psi), copies_ * (to - from) * t * scale_ / (x * x)};
   }
 
 private:
+  enum : std::size_t { inside, outside, behind, chart_count };
+  /// r^2 = spread (1 - x) / x: distributions of unit roughness, Gaussian to long-tailed, are then nearly polynomials.
+  /// Infinity is at x = 0, where numbers are dense.
+  static constexpr double spread = 6;
+  double a_, scale_;
+  bool kink_;
+  double copies_;
+};
+
+/// The charts of integrate_lit(): chart k is the k-th part of the rays of a sector. A sector is a range of angles in
+/// which all rays cross the same switches in the same order and in like places; within one, the ends of the parts are
+/// smooth in psi.
+class LitCharts {
+public:
+  LitCharts(const SlopeFrame& frame, const LitIntegrand& f)
+      : frame_(frame), f_(f), copies_(frame.symmetric() ? 2 : 1) {}
+
+  std::vector<Rectangle> rectangles() {
+    using std::numbers::pi;
+    std::vector<double> cuts = {0, pi / 2, pi};
+    if (!frame_.symmetric()) {
+      cuts.insert(cuts.end(), {-pi, -pi / 2});
+      if (f_.kink_in_plane_of_incidence && frame_.centred()) {
+        const double plane = frame_.plane_of_incidence();
+        cuts.insert(cuts.end(), {plane, plane > 0 ? plane - pi : plane + pi});
+      }
+    }
+    std::ranges::sort(cuts);
+    std::vector<Rectangle> all;
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) add_sectors(cuts[k], cuts[k + 1], all);
+    return all;
+  }
+
+  ChartPoint operator()(std::size_t part, double x, double psi) {
+    const auto& ends = ray(psi);
+    if (part + 1 >= ends.size()) return {0, 0, 0}; // beside a sector's edge, which is known to rounding only
+    const double from = ends[part].z;
+    const double to = ends[part + 1].z;
+    const double z = from + (to - from) * x;
+    const double r = spread * z / (1 - z);
+    return {r * std::cos(psi), r * std::sin(psi), copies_ * r * (to - from) * spread / ((1 - z) * (1 - z))};
+  }
+
+private:
+  /// r = spread z / (1 - z).
+  static constexpr double spread = 2;
+
+  /// Where two parts of a ray meet, or its end: in z, and which switch changes its sign there.
+  struct End {
+    double z;
+    std::size_t crossed;
+  };
+
+  /// What makes a sector: which switches are crossed, and whether before, in or behind the bulk of the distribution.
+  /// The latter because an end that moves through the bulk does so within a few degrees on a smooth surface, and a rule
+  /// whose nodes miss these sees nothing.
+  std::vector<std::size_t> crossed(double psi) {
+    std::vector<std::size_t> all;
+    for (const End& end : ray(psi)) {
+      all.push_back(end.crossed);
+      const double r = spread * end.z / (1 - end.z);
+      all.push_back(static_cast<std::size_t>(r > 0.25) + static_cast<std::size_t>(r > 1) +
+                    static_cast<std::size_t>(r > 4));
+    }
+    return all;
+  }
+
+  /// Cuts [from, to] into sectors, found by bisection between probes that differ.
+  void add_sectors(double from, double to, std::vector<Rectangle>& all) {
+    std::vector<double> probes = {from + 1e-10 * (to - from)}; // crossings may appear right at an edge
+    for (int k = 0; k < 16; ++k) probes.push_back(from + (to - from) * (k + 0.5) / 16);
+    probes.push_back(to - 1e-10 * (to - from));
+    double begin = from;
+    double low = probes.front();
+    auto below = crossed(low);
+    const auto add = [&](double end) {
+      for (std::size_t part = 0; part + 1 < below.size() / 2; ++part) all.push_back({0, 1, begin, end, part});
+      begin = end;
+    };
+    for (const double probe : probes) {
+      while (crossed(probe) != below) {
+        double high = probe;
+        while (high - low > 1e-13) {
+          const double middle = 0.5 * (low + high);
+          (crossed(middle) == below ? low : high) = middle;
+        }
+        add(high);
+        low = high;
+        below = crossed(high);
+      }
+      low = probe;
+    }
+    add(to);
+  }
+
+  /// The ends of the parts of a ray, ascending from 0; the last ray is remembered, since the points of a rule share
+  /// rays.
+  const std::vector<End>& ray(double psi) {
+    if (psi == psi_) return ends_;
+    psi_ = psi;
+    const double reach = frame_.reach(std::cos(psi), std::sin(psi));
+    const double end = reach == infinity ? 1 : reach / (spread + reach);
+    ends_ = {{0, f_.switches.size()}, {end, f_.switches.size()}};
+    for (std::size_t k = 0; k < f_.switches.size(); ++k) add_sign_changes(k, psi, end);
+    std::ranges::sort(ends_, {}, &End::z);
+    return ends_;
+  }
+
+  void evaluate_switch(const NormalIntegrand& of, double psi, const std::vector<double>& z) {
+    normals_.clear();
+    for (const double at : z) {
+      const double r = spread * at / (1 - at);
+      normals_.push_back(frame_.normal(r * std::cos(psi), r * std::sin(psi)));
+    }
+    values_.resize(z.size());
+    of(normals_, values_);
+  }
+
+  void add_sign_changes(std::size_t which, double psi, double end) {
+    const NormalIntegrand& of = f_.switches[which];
+    constexpr int probes = 24;
+    std::vector<double> z = {1e-9 * end, 1e-6 * end, 1e-4 * end}; // crossings may leave by the centre
+    for (int k = 1; k < probes; ++k) z.push_back(end * (1 - std::cos(std::numbers::pi * k / probes)) / 2);
+    z.push_back(end * (1 - 1e-5)); // and by the horizon
+    evaluate_switch(of, psi, z);
+    const std::vector<double> values = values_;
+    std::size_t last = 0; // the last one that is not zero
+    for (std::size_t k = 1; k < z.size(); ++k) {
+      if (values[k] == 0) continue;
+      if (values[last] * values[k] < 0)
+        ends_.push_back({sign_change(of, psi, {z[last], z[k]}, {values[last], values[k]}), which});
+      last = k;
+    }
+  }
+
+  /// Regula falsi, Illinois variant.
+  double sign_change(const NormalIntegrand& of, double psi, std::array<double, 2> z, std::array<double, 2> value) {
+    for (int step = 0; step < 60 && std::fabs(z[1] - z[0]) > 1e-15 * z[1]; ++step) {
+      const double at = (z[0] * value[1] - z[1] * value[0]) / (value[1] - value[0]);
+      if (!(at > std::min(z[0], z[1]) && at < std::max(z[0], z[1]))) break;
+      evaluate_switch(of, psi, {at});
+      if (values_[0] == 0) return at;
+      if (values_[0] * value[1] < 0) {
+        z[0] = z[1];
+        value[0] = value[1];
+      } else {
+        value[0] *= 0.5;
+      }
+      z[1] = at;
+      value[1] = values_[0];
+    }
+    return z[1];
+  }
+
   const SlopeFrame& frame_;
-  const NormalIntegrand& f_;
-  bool lit_only_;
+  const LitIntegrand& f_;
+  double copies_;
+  double psi_ = infinity;
+  std::vector<End> ends_;
   std::vector<Direction> normals_;
   std::vector<double> values_;
 };
 
 } // namespace
 
-Estimate integrate_normals(const SlopeFrame& frame, const NormalIntegrand& f, bool lit_only, double tolerance) {
-  using std::numbers::pi;
-  Ray ray(frame, f, lit_only);
-  std::size_t evaluations = 0;
-  double worst_ray = 0;
-  const auto outer = [&](const double* psi, double* y, std::size_t n) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const Estimate estimate = ray(psi[k], 0.05 * tolerance);
-      y[k] = estimate.value;
-      worst_ray = std::max(worst_ray, estimate.error);
-      evaluations += estimate.evaluations;
-    }
-  };
-  const std::array<double, 5> whole = {-pi, -pi / 2, 0, pi / 2, pi};
-  const auto cuts = std::span(whole).subspan(frame.symmetric() ? 2 : 0);
-  const double copies = frame.symmetric() ? 2 : 1;
-  Estimate estimate = integrate(outer, cuts, {.absolute = 0.5 * tolerance / copies}, 4000);
-  estimate.value *= copies;
-  estimate.error = copies * estimate.error + 2 * pi * worst_ray;
-  estimate.evaluations = evaluations;
-  return estimate;
+Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance) {
+  const FacingCharts charts(frame, f);
+  return integrate_charts(frame, f.value, charts, charts.rectangles(), tolerance);
+}
+
+Estimate integrate_lit(const SlopeFrame& frame, const LitIntegrand& f, double tolerance) {
+  LitCharts charts(frame, f);
+  const auto rectangles = charts.rectangles();
+  return integrate_charts(
+      frame, f.value, [&](std::size_t chart, double x, double y) { return charts(chart, x, y); }, rectangles,
+      tolerance);
 }
 
 } // namespace brdfplot

@@ -1,11 +1,8 @@
 #include "math/quadrature.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include "math/gauss_kronrod.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <vector>
 
 namespace brdfplot {
@@ -13,27 +10,6 @@ namespace brdfplot {
 namespace {
 
 constexpr std::size_t node_count = 21;
-constexpr std::size_t gauss_count = node_count / 2;
-constexpr std::size_t middle = node_count / 2;
-using Kronrod = boost::math::quadrature::gauss_kronrod<double, node_count>;
-using Gauss = boost::math::quadrature::gauss<double, gauss_count>;
-
-/// Nodes of the Kronrod rule on [-1, 1] with both weights; a Gauss weight of 0 where the node is not one of Gauss's.
-struct Rule {
-  std::array<double, node_count> x, kronrod, gauss;
-
-  Rule() {
-    // Boost lists the non-negative half, from the centre outwards; Gauss's nodes are every second one from the second.
-    for (std::size_t k = 0; k <= middle; ++k) {
-      const double g = k % 2 == (gauss_count + 1) % 2 ? Gauss::weights()[k / 2] : 0;
-      for (const std::size_t at : {middle + k, middle - k}) {
-        x[at] = at < middle ? -Kronrod::abscissa()[k] : Kronrod::abscissa()[k];
-        kronrod[at] = Kronrod::weights()[k];
-        gauss[at] = g;
-      }
-    }
-  }
-};
 
 struct Interval {
   double a, b, value, error;
@@ -41,32 +17,16 @@ struct Interval {
 };
 
 Interval apply(const BatchFunction& f, double a, double b) {
-  static const Rule rule;
+  const auto& rule = GaussKronrod<node_count>::rule();
   const double centre = 0.5 * (a + b);
   const double half = 0.5 * (b - a);
   std::array<double, node_count> x;
   std::array<double, node_count> y;
   for (std::size_t k = 0; k < node_count; ++k) x[k] = centre + half * rule.x[k];
   f(x.data(), y.data(), node_count);
-  double kronrod = 0;
-  double gauss = 0;
-  double magnitude = 0;
-  for (std::size_t k = 0; k < node_count; ++k) {
-    kronrod += rule.kronrod[k] * y[k];
-    gauss += rule.gauss[k] * y[k];
-    magnitude += rule.kronrod[k] * std::fabs(y[k]);
-  }
-  double spread = 0; // integral of |f - mean|
-  for (std::size_t k = 0; k < node_count; ++k) spread += rule.kronrod[k] * std::fabs(y[k] - 0.5 * kronrod);
-  double error = std::fabs(kronrod - gauss);
-  if (spread > 0 && error > 0) error = spread * std::min(1.0, std::pow(200 * error / spread, 1.5));
-  error = std::max(error, 50 * std::numeric_limits<double>::epsilon() * magnitude);
-  return {a, b, half * kronrod, std::fabs(half) * error};
+  const RuleSums sums = apply_rule<node_count>(y);
+  return {a, b, half * sums.kronrod, std::fabs(half) * sums.error()};
 }
-
-} // namespace
-
-namespace {
 
 using Pair = std::array<Interval, 2>;
 

@@ -52,6 +52,7 @@ struct NoShadowing {
   static NoShadowing from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
   static constexpr bool needs_azimuth = false;
+  static constexpr bool compares = false; ///< has a kink where G1(o) = G1(i)
   static constexpr kernels::Shadowing kernel = kernels::Shadowing::none;
   double visibility(const MaskedPair& p) const { return 1 / (p.c_i * p.u_o); }
 };
@@ -63,6 +64,7 @@ struct Separable {
   static Separable from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
   static constexpr bool needs_azimuth = false;
+  static constexpr bool compares = false;
   static constexpr kernels::Shadowing kernel = kernels::Shadowing::separable;
   double visibility(const MaskedPair& p) const { return 1 / (p.u_o * p.u_i); }
 };
@@ -76,6 +78,7 @@ struct Minimum {
   static Minimum from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
   static constexpr bool needs_azimuth = false;
+  static constexpr bool compares = true;
   static constexpr kernels::Shadowing kernel = kernels::Shadowing::minimum;
   double visibility(const MaskedPair& p) const { return minimum_visibility(p); }
 };
@@ -89,6 +92,7 @@ struct HeightCorrelated {
   static HeightCorrelated from(const Values&) { return {}; }
   static constexpr bool needs_lambda = true;
   static constexpr bool needs_azimuth = false;
+  static constexpr bool compares = false;
   static constexpr kernels::Shadowing kernel = kernels::Shadowing::height_correlated;
   double visibility(const MaskedPair& p) const { return 1 / (p.c_o * p.c_i + p.c_i * p.t_o + p.c_o * p.t_i); }
 };
@@ -105,6 +109,7 @@ struct DirectionCorrelated {
   static DirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
   static constexpr bool needs_lambda = false;
   static constexpr bool needs_azimuth = true;
+  static constexpr bool compares = true;
   double visibility(const MaskedPair& p) const {
     const double factor = direction_factor(lambda, p.azimuth_difference);
     return factor / (p.u_o * p.u_i) + (1 - factor) * minimum_visibility(p);
@@ -123,6 +128,7 @@ struct HeightDirectionCorrelated {
   static HeightDirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
   static constexpr bool needs_lambda = true;
   static constexpr bool needs_azimuth = true;
+  static constexpr bool compares = true;
   double visibility(const MaskedPair& p) const {
     const double o = p.c_i * p.t_o;
     const double i = p.c_o * p.t_i;

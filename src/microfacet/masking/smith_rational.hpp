@@ -17,6 +17,7 @@ struct SmithRational {
   }
   static SmithRational from(const Values&) { return {}; }
   static constexpr bool has_lambda = true;
+  static constexpr double end = 1.6; ///< a from which on Lambda is 0
 
   /// c Lambda over arrays.
   template <class D>
