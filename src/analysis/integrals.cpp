@@ -119,10 +119,11 @@ NormalIntegrand switch_of(const Direction& o, const Function& function) {
 NormalIntegrand comparison(const Material& material, const Direction& o) {
   const SlopeMap& map = material.slopes();
   const Projection viewer = map.project(o);
-  if (std::holds_alternative<SchlickSmithRational>(material.masking)) // Lambda goes with s h / (c (c + hypot(c, h)))
-    return switch_of(o, [&material, o](const Direction&, const Direction& i) {
-      return evaluate(material, Quantity::g1, i, std::nullopt, std::nullopt) -
-             evaluate(material, Quantity::g1, o, std::nullopt, std::nullopt);
+  const bool own = std::holds_alternative<CustomMasking>(material.masking);
+  if (own || std::holds_alternative<SchlickSmithRational>(material.masking)) // of more than a
+    return switch_of(o, [&material, o](const Direction& h, const Direction& i) {
+      return evaluate(material, Quantity::g1, i, std::nullopt, h) -
+             evaluate(material, Quantity::g1, o, std::nullopt, h);
     });
   if (!material.has_lambda())
     return switch_of(o, [&map, viewer](const Direction&, const Direction& i) { return map.project(i).c - viewer.c; });

@@ -105,13 +105,20 @@ private:
   const SlopeFrame& frame_;
 };
 
+/// What one rule says. Both of its rules may agree by accident to more digits than either has; measured over random
+/// materials that happens below 3e-11 of the integral.
+template <std::size_t N>
+Estimate by_rule(const std::array<double, N>& values) {
+  const RuleSums sums = apply_rule<N>(values);
+  return {sums.kronrod, std::max(sums.error(), 1e-10 * sums.magnitude), N};
+}
+
 Estimate near_by_rule(const Density& density) {
   const auto& nodes = near_nodes();
   std::array<double, near_count> values;
   density(nodes.slope.data(), values.data(), near_count);
   for (std::size_t k = 0; k < near_count; ++k) values[k] *= nodes.weight[k];
-  const RuleSums sums = apply_rule<near_count>(values);
-  return {sums.kronrod, sums.error(), near_count};
+  return by_rule<near_count>(values);
 }
 
 Estimate far_by_rule(const Density& density, double a) {
@@ -120,8 +127,7 @@ Estimate far_by_rule(const Density& density, double a) {
   for (std::size_t k = 0; k < far_count; ++k) slopes[k] = a * nodes.slope[k];
   density(slopes.data(), values.data(), far_count);
   for (std::size_t k = 0; k < far_count; ++k) values[k] *= nodes.weight[k] * a * a * a;
-  const RuleSums sums = apply_rule<far_count>(values);
-  return {sums.kronrod, sums.error(), far_count};
+  return by_rule<far_count>(values);
 }
 
 constexpr std::array<double, 2> unit_interval = {0, 1};
