@@ -1,79 +1,126 @@
 #include "microfacet/a_lambda_table.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <vector>
 
 namespace brdfplot {
 
 namespace {
 
 constexpr double smallest = 1e-300;
-constexpr double narrowest = 1e-3; ///< of the intervals in ln(1 + a)
+constexpr double narrowest = 1e-3; ///< of the intervals in x = ln(1 + a)
+constexpr std::size_t node_count = 21;
 
-} // namespace
+struct Piece {
+  double from = 0;
+  double to = 0;
+  std::array<double, node_count> coefficients{};
+  bool resolved = false;
+
+  double operator()(double x) const {
+    const double z = (2 * x - from - to) / (to - from);
+    double b1 = 0; // Clenshaw's recurrence
+    double b2 = 0;
+    for (std::size_t k = node_count - 1; k > 0; --k) {
+      const double b0 = coefficients[k] + 2 * z * b1 - b2;
+      b2 = b1;
+      b1 = b0;
+    }
+    return std::exp(coefficients[0] + z * b1 - b2);
+  }
+};
+
+/// cos(pi (j (k + 1/2)) / n), the Chebyshev polynomial j at node k.
+const std::array<std::array<double, node_count>, node_count>& chebyshev() {
+  static const auto all = [] {
+    std::array<std::array<double, node_count>, node_count> made{};
+    for (std::size_t j = 0; j < node_count; ++j)
+      for (std::size_t k = 0; k < node_count; ++k)
+        made[j][k] = std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / node_count);
+    return made;
+  }();
+  return all;
+}
 
 /// Interpolates at the Chebyshev points of `piece`; whether the last coefficients are small enough.
-bool ALambdaTable::fit(const LogDensity& log_density, Piece& piece) {
-  constexpr std::size_t n = order + 1;
-  std::array<double, n> y;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double z = std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / n);
-    const double x = 0.5 * (piece.from + piece.to) + 0.5 * (piece.to - piece.from) * z;
+bool fit(const LogDensity& log_density, Piece& piece) {
+  std::array<double, node_count> y;
+  for (std::size_t k = 0; k < node_count; ++k) {
+    const double x = 0.5 * (piece.from + piece.to) + 0.5 * (piece.to - piece.from) * chebyshev()[1][k];
     const double value = a_lambda_by_quadrature(log_density, std::expm1(x));
     if (!(value > smallest)) return false;
     y[k] = std::log(value);
   }
-  for (std::size_t j = 0; j < n; ++j) {
-    double sum = 0;
-    for (std::size_t k = 0; k < n; ++k)
-      sum += y[k] * std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / n);
-    piece.coefficients[j] = sum * (j == 0 ? 1.0 : 2.0) / n;
-  }
   double tail = 0;
-  for (std::size_t j = n - 4; j < n; ++j) tail = std::max(tail, std::fabs(piece.coefficients[j]));
+  for (std::size_t j = 0; j < node_count; ++j) {
+    double sum = 0;
+    for (std::size_t k = 0; k < node_count; ++k) sum += y[k] * chebyshev()[j][k];
+    piece.coefficients[j] = sum * (j == 0 ? 1.0 : 2.0) / node_count;
+    if (j + 4 >= node_count) tail = std::max(tail, std::fabs(piece.coefficients[j]));
+  }
   // The rounding of the logarithm itself is in the coefficients.
   return tail < std::max(2e-12, 1e-15 * std::fabs(piece.coefficients[0]));
 }
 
-void ALambdaTable::add(Table& table, double from, double to) {
-  Piece piece{from, to};
-  piece.resolved = fit(table.log_density, piece);
-  if (piece.resolved || to - from < narrowest) {
-    table.pieces.push_back(piece);
+void add(const LogDensity& log_density, double from, double to, std::vector<Piece>& pieces) {
+  Piece piece{from, to, {}, false};
+  piece.resolved = fit(log_density, piece);
+  if (piece.resolved || to - from < narrowest || !(a_lambda_by_quadrature(log_density, std::expm1(from)) > smallest)) {
+    pieces.push_back(piece);
     return;
   }
   const double middle = 0.5 * (from + to);
-  add(table, from, middle);
-  if (a_lambda_by_quadrature(table.log_density, std::expm1(middle)) > smallest) add(table, middle, to);
+  add(log_density, from, middle, pieces);
+  add(log_density, middle, to, pieces);
 }
 
-ALambdaTable::ALambdaTable(LogDensity log_density) {
-  auto table = std::make_shared<Table>();
-  table->log_density = std::move(log_density);
-  for (const double from : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0}) {
-    if (!(a_lambda_by_quadrature(table->log_density, std::expm1(from)) > smallest)) break;
-    add(*table, from, from == 0 || from == 0.5 ? from + 0.5 : 2 * from);
-  }
-  table_ = std::move(table);
-}
+} // namespace
 
-double ALambdaTable::operator()(double a) const {
-  const double x = std::log1p(a);
-  const auto& pieces = table_->pieces;
-  const auto after = std::ranges::upper_bound(pieces, x, {}, &Piece::from);
-  if (after == pieces.begin() || !(x <= (after - 1)->to) || !(after - 1)->resolved)
-    return a_lambda_by_quadrature(table_->log_density, a);
-  const Piece& piece = *(after - 1);
-  const double z = (2 * x - piece.from - piece.to) / (piece.to - piece.from);
-  double b1 = 0; // Clenshaw's recurrence
-  double b2 = 0;
-  for (std::size_t k = order; k > 0; --k) {
-    const double b0 = piece.coefficients[k] + 2 * z * b1 - b2;
-    b2 = b1;
-    b1 = b0;
+/// The range of x in blocks, each of which is made whole at its first use.
+class ALambdaTable::Blocks {
+public:
+  explicit Blocks(LogDensity log_density) : log_density_(std::move(log_density)) {}
+
+  double operator()(double a) {
+    const double x = std::log1p(a);
+    const auto block = static_cast<std::size_t>(std::ranges::upper_bound(starts, x) - starts.begin()) - 1;
+    if (block + 1 < starts.size()) {
+      const auto& pieces = made(block);
+      const Piece& piece = *(std::ranges::upper_bound(pieces, x, {}, &Piece::from) - 1);
+      if (piece.resolved) return piece(x);
+    }
+    return a_lambda_by_quadrature(log_density_, a);
   }
-  return std::exp(piece.coefficients[0] + z * b1 - b2);
-}
+
+private:
+  static constexpr std::array<double, 15> starts = {0, 0.125, 0.25, 0.5, 1, 1.5, 2, 2.5, 3, 4, 8, 16, 32, 64, 174};
+
+  const std::vector<Piece>& made(std::size_t block) {
+    if (!ready_[block].load(std::memory_order_acquire)) {
+      const std::lock_guard lock(mutex_);
+      if (!ready_[block].load(std::memory_order_relaxed)) {
+        std::vector<Piece> pieces;
+        add(log_density_, starts[block], starts[block + 1], pieces);
+        pieces_[block] = std::move(pieces);
+        ready_[block].store(true, std::memory_order_release);
+      }
+    }
+    return pieces_[block];
+  }
+
+  LogDensity log_density_;
+  std::array<std::vector<Piece>, starts.size()> pieces_;
+  std::array<std::atomic<bool>, starts.size()> ready_{};
+  std::mutex mutex_;
+};
+
+ALambdaTable::ALambdaTable(LogDensity log_density) : blocks_(std::make_shared<Blocks>(std::move(log_density))) {}
+
+double ALambdaTable::operator()(double a) const { return (*blocks_)(a); }
 
 } // namespace brdfplot

@@ -2,7 +2,6 @@
 /// Smith's Lambda of any isotropic distribution of slopes, by quadrature.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 
 namespace brdfplot {
@@ -19,14 +18,5 @@ using LogDensity = std::function<double(double r2)>;
 /// infinity, and from a = 1e75 on, where Lambda < 1e-149 and a^3 would overflow soon. Relative error about 1e-13.
 /// \throws AccuracyError when the estimate is not below 1e-10.
 double a_lambda_by_quadrature(const LogDensity& log_density, double a);
-
-/// masked_area() of n projections; an integral is not computed twice in a row, since many rows share one direction.
-template <class D>
-void masked_areas_by_quadrature(const D& distribution, const double* c, const double* s, double* t, std::size_t n) {
-  for (std::size_t k = 0; k < n; ++k) {
-    const bool repeated = k > 0 && c[k] == c[k - 1] && s[k] == s[k - 1];
-    t[k] = repeated ? t[k - 1] : distribution.masked_area({c[k], s[k]});
-  }
-}
 
 } // namespace brdfplot

@@ -68,22 +68,47 @@ TEST_CASE("Lambda of GTR agrees with 40-digit values") {
   }
 }
 
-TEST_CASE("Lambda of GTR agrees with the closed forms of Dimov 2015") {
-  for (const double alpha : {0.05, 0.3, 0.8, 0.95}) {
-    for (const double theta : {0.2, 0.9, 1.4, 1.55}) {
-      INFO("alpha = " << alpha << ", theta = " << theta);
-      const double mu = 1 / std::tan(theta);
-      const double alpha2 = alpha * alpha;
-      const double a = std::hypot(mu, alpha);
-      const double b = std::hypot(mu, 1.0);
-      const Direction o = from_angles(theta, 0);
-      const double one = (a - b + mu * (std::log(mu + b) - std::log(mu + a))) / (mu * std::log(alpha2));
-      CHECK(relative(lambda(gtr(alpha, 1), o), one) < 1e-9 * (1 + 1 / one)); // the closed form cancels
-      CHECK(relative(lambda(gtr(alpha, 2), o), lambda(material("ggx", alpha), o)) < 1e-12);
-      const double three = 4 * mu * a * (alpha2 + 1) / (2 * mu * (alpha2 + 1) * (mu + a) + alpha2 * (3 * alpha2 + 1));
-      CHECK(g1(gtr(alpha, 3), o) == doctest::Approx(three).epsilon(1e-12));
-    }
+TEST_CASE("a Lambda(a) of GTR in closed form agrees with 40-digit values and with the quadrature") {
+  struct Row {
+    double alpha, a, one, three, four;
+  };
+  const Row rows[] = {
+      {0.01, 0.001, 10.748288480849420169, 0.2495503699753462186, 0.18701922434585067952},
+      {0.01, 1.0, 10.298966818744303504, 0.030365437693789582784, 0.008239632743762585131},
+      {0.01, 50.0, 4.0973304294810671135, 1.4995001649430204341e-6, 3.9977510794992265871e-10},
+      {0.01, 10000.0, 0.027140351497189970925, 4.9995625249968756456e-9, 7.4994374468834380658e-13},
+      {0.3, 0.001, 0.96851428128173050494, 0.29078475802738216471, 0.207900178839913173},
+      {0.3, 1.0, 0.60118315679248731352, 0.059522567682015814344, 0.017578128894933091212},
+      {0.3, 50.0, 0.020982611389921927624, 0.00082602278537956488814, 0.00011074650401214874668},
+      {0.3, 10000.0, 0.00010497652980314827074, 4.1284404088302744788e-6, 5.5322831603451418562e-7},
+      {0.999999, 0.001, 0.4995005000000208408, 0.4994999999999374928, 0.49949975000002081921},
+      {0.999999, 1.0, 0.20710695796341960299, 0.20710660440976383433, 0.20710642763306853282},
+      {0.999999, 50.0, 0.0049995050989811385491, 0.004999495100972207454, 0.0049994901019727399173},
+      {0.999999, 10000.0, 0.000025000024937529042731, 0.000024999974937487624594, 0.000024999949937491915575},
+      {3.0, 0.001, 0.30291353066139939974, 0.69950015000001249996, 0.87312648076924244504},
+      {3.0, 1.0, 0.090378377602528708648, 0.34852813742385702928, 0.48684133198562127032},
+      {3.0, 50.0, 0.0020226414768823638597, 0.0089987003398950349878, 0.013349127185416872889},
+      {3.0, 10000.0, 0.000010113769170695736109, 0.000044999999837500001062, 0.000066758241442994508032},
+  };
+  for (const Row& row : rows) {
+    INFO("alpha = " << row.alpha << ", a = " << row.a);
+    CHECK(relative(gtr_a_lambda_closed(row.alpha, 1, row.a), row.one) < 1e-14);
+    CHECK(relative(gtr_a_lambda_closed(row.alpha, 3, row.a), row.three) < 1e-14);
+    CHECK(relative(gtr_a_lambda_closed(row.alpha, 4, row.a), row.four) < 1e-14);
   }
+  for (const double alpha : {1e-3, 0.05, 0.3, 0.8, 0.999999, 1.0, 1.7, 30.0})
+    for (const int gamma : {1, 2, 3, 4})
+      for (const double a : {0.0, 1e-9, 0.01, 0.7, 3.0, 40.0, 1e6}) {
+        INFO("alpha = " << alpha << ", gamma = " << gamma << ", a = " << a);
+        const double alpha2 = alpha * alpha;
+        const double log_k = gtr_log_normalization(alpha, gamma);
+        const auto density = [&](double t2) {
+          return log_k - std::log(std::numbers::pi) + (gamma - 2) * std::log1p(alpha2 * t2) -
+                 gamma * std::log(alpha2 * (t2 + 1)) + std::log(alpha2);
+        };
+        CHECK(relative(gtr_a_lambda_closed(alpha, gamma, a), a_lambda_by_quadrature(density, a)) < 1e-11);
+      }
+  CHECK(gtr_a_lambda_closed(0.3, 1, infinity) == 0);
 }
 
 TEST_CASE("Lambda of Beckmann and GGX is that of their own slopes") {

@@ -1,5 +1,7 @@
 #include "microfacet/distributions/gtr.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace brdfplot {
@@ -21,43 +23,66 @@ double gtr_log_normalization(double alpha, double gamma) {
   return log_phi(log_alpha2) - log_phi((1 - gamma) * log_alpha2);
 }
 
-ModelSpec Gtr::spec() {
+double gtr_a_lambda_closed(double alpha, int gamma, double a) {
+  if (a > 1e100) return 0; // below 1e-100 and soon an overflow
+  const double h = std::hypot(1.0, a);
+  const double alpha2 = alpha * alpha;
+  const double inverse = 1 / (a + h); // h - a
+  if (gamma == 1) {
+    const double mu = alpha * a;
+    const double b = std::hypot(1.0, mu);
+    const double sum = alpha * h + b;
+    const double log_alpha2 = 2 * std::log(alpha);
+    const double d = std::expm1(log_alpha2) / (sum * (mu + b));
+    const double quotient = d == 0 ? 1 : std::log1p(d) / d;
+    return std::exp(log_phi(log_alpha2)) * (1 - mu / (mu + b) * quotient) / (alpha * sum);
+  }
+  if (gamma == 2) return 0.5 * inverse;
+  if (gamma == 3) return (2 * alpha2 / (1 + alpha2) + inverse * inverse) / (4 * h);
+  // Of large alpha only alpha^-2 is squared.
+  const double scale = std::max(1.0, alpha2);
+  const double q = 8 * (alpha2 / scale * alpha2 + alpha2 / scale + 1 / scale);
+  const double y = 0.5 * inverse * inverse;
+  return (6 * (alpha2 / scale) * alpha2 / h + (1.5 * alpha2 / scale + 0.25 * q * y * (1 + y)) / (h * h * h)) / q;
+}
+
+ModelSpec GtrProfile::spec() {
   const Bounds positive{.min = 0, .open_min = true};
   return {.type = "gtr",
-          .doc = "generalized Trowbridge-Reitz; masking by quadrature of its own slopes",
-          .source = "Burley 2012; Akenine-Moller et al. 2018, Eqs. 9.46-9.47",
+          .doc = "generalized Trowbridge-Reitz; masking in closed form for gamma = 1, 2, 3, 4, else by quadrature",
+          .source = "Burley 2012; Akenine-Moller et al. 2018, Eqs. 9.46-9.47; Dimov 2015",
           .parameters = {{.key = "alpha", .bounds = positive, .doc = "roughness"},
                          {.key = "gamma", .bounds = positive, .doc = "exponent of the tail; 2 is GGX"}}};
 }
 
-Gtr Gtr::from(const Values& values) {
-  Gtr gtr;
-  gtr.gamma = values.number("gamma");
-  gtr.slopes.alpha_x = gtr.slopes.alpha_y = values.number("alpha");
-  gtr.log_k = gtr_log_normalization(gtr.slopes.alpha_x, gtr.gamma);
-  return gtr;
-}
+namespace {
 
-double Gtr::log_p22(double r2) const {
-  const double alpha2 = slopes.alpha_x * slopes.alpha_x;
+double log_slope_density(double log_k, double alpha2, double gamma, double r2) {
   return log_k - std::log(std::numbers::pi) + (gamma - 2) * std::log1p(r2) - gamma * std::log(r2 + alpha2);
 }
 
-double Gtr::p22(double slope_x, double slope_y) const {
-  return std::exp(log_p22(slope_x * slope_x + slope_y * slope_y));
+} // namespace
+
+GtrProfile GtrProfile::from(const Values& values) {
+  const double alpha = values.number("alpha");
+  const double gamma = values.number("gamma");
+  const double log_k = gtr_log_normalization(alpha, gamma);
+  const double alpha2 = alpha * alpha;
+  return {alpha, gamma, log_k, ALambdaTable([=](double t2) {
+            return log_slope_density(log_k, alpha2, gamma, alpha2 * t2) + std::log(alpha2);
+          })};
 }
 
-double Gtr::density(const Direction& omega_m) const {
-  if (!(omega_m.z > 0)) return 0;
-  const double alpha_z = slopes.alpha_x * omega_m.z;
-  const double base = omega_m.x * omega_m.x + omega_m.y * omega_m.y + alpha_z * alpha_z;
-  return std::numbers::inv_pi * std::exp(log_k - gamma * std::log(base));
+double GtrProfile::p22(double r2) const { return std::exp(log_slope_density(log_k, alpha * alpha, gamma, r2)); }
+
+double GtrProfile::density(double sin2, double z) const {
+  const double alpha_z = alpha * z;
+  return std::numbers::inv_pi * std::exp(log_k - gamma * std::log(sin2 + alpha_z * alpha_z));
 }
 
-double Gtr::masked_area(const Projection& p) const {
-  if (!(p.s > 0) || !(p.c > 0)) return 0;
-  const double sin_theta = p.s / slopes.alpha_x;
-  return sin_theta * a_lambda_by_quadrature([this](double r2) { return log_p22(r2); }, p.c / sin_theta);
+double GtrProfile::a_lambda(double a) const {
+  const bool closed = gamma == 1 || gamma == 2 || gamma == 3 || gamma == 4;
+  return closed ? gtr_a_lambda_closed(alpha, static_cast<int>(gamma), a) : table(a);
 }
 
 } // namespace brdfplot

@@ -1,42 +1,46 @@
 /// \file
-/// Generalized Trowbridge-Reitz (Burley 2012), with its own Smith masking by quadrature.
+/// Generalized Trowbridge-Reitz (Burley 2012), with its own Smith masking.
 #pragma once
 
-#include "microfacet/slopes.hpp"
-#include "microfacet/smith_quadrature.hpp"
+#include "microfacet/a_lambda_table.hpp"
+#include "microfacet/isotropic.hpp"
 
 namespace brdfplot {
 
 /// D = k / (pi (1 + (alpha^2 - 1) cos^2)^gamma) (RTR4, Eqs. 9.46-9.47); gamma = 2 is GGX. Not shape-invariant.
-struct Gtr {
-  SlopeMap slopes; ///< isotropic
+struct GtrProfile {
+  double alpha = 1;
   double gamma = 2;
   double log_k = 0;
+  ALambdaTable table;
 
   static ModelSpec spec();
-  static Gtr from(const Values& values);
-  static constexpr bool shape_invariant = false;
+  static GtrProfile from(const Values& values);
 
-  /// k / pi (1 + r^2)^(gamma - 2) / (r^2 + alpha^2)^gamma.
-  double p22(double slope_x, double slope_y) const;
+  double width() const { return alpha; }
+  double p22(double r2) const; ///< k / pi (1 + r2)^(gamma - 2) / (r2 + alpha^2)^gamma
   /// With sin^2 + alpha^2 cos^2 in place of 1 + (alpha^2 - 1) cos^2, which cancels near the normal.
-  double density(const Direction& omega_m) const;
-  /// c Lambda with Lambda by quadrature of these slopes; relative error 1e-10. Domain c > 0 (0 elsewhere).
-  double masked_area(const Projection& p) const;
-
-  void masked_areas(const double* c, const double* s, double* t, std::size_t n) const {
-    masked_areas_by_quadrature(*this, c, s, t, n);
-  }
-  void densities(const kernels::Vectors<double>& m, double* d, std::size_t n) const {
-    for (std::size_t k = 0; k < n; ++k) d[k] = density({m.x[k], m.y[k], m.z[k]});
-  }
-
-private:
-  double log_p22(double r2) const; ///< ln P22 at squared slope r2
+  double density(double sin2, double z) const;
+  /// For gamma = 1, 2, 3, 4 the closed forms below; else from a table of the quadrature of these slopes, relative error
+  /// 1e-10.
+  double a_lambda(double a) const;
 };
+
+using Gtr = Isotropic<GtrProfile>;
 
 /// ln k of RTR4, Eq. 9.47, continuous through gamma = 1 and alpha = 1: with phi(x) = (e^x - 1) / x and L = ln alpha^2,
 /// k = phi(L) / phi((1 - gamma) L).
 double gtr_log_normalization(double alpha, double gamma);
+
+/// a Lambda(a) in closed form, for gamma = 1, 2, 3, 4 (Dimov 2015, whose G1 these are, rewritten as sums of terms of
+/// one sign, so that nothing cancels at the normal, at grazing or near alpha = 1). With h = sqrt(1 + a^2):
+///   1: phi(L) (1 - k ln(1 + d) / d) / (alpha (A + B)), L = ln alpha^2, A = alpha h, B = sqrt(1 + (alpha a)^2),
+///      k = alpha a / (alpha a + B), d = (alpha^2 - 1) / ((A + B) (alpha a + B))
+///   2: 1 / (2 (a + h)), as GGX
+///   3: (2 alpha^2 / (1 + alpha^2) + 1 / (a + h)^2) / (4 h)
+///   4: (12 alpha^4 h^2 + 3 alpha^2 + Q y (1 + y) / 2) / (2 Q h^3), Q = 8 (alpha^4 + alpha^2 + 1), y = 1 / (2 (a +
+///   h)^2)
+/// Relative error 1e-14; a in [0, infinity]. \pre gamma is one of them.
+double gtr_a_lambda_closed(double alpha, int gamma, double a);
 
 } // namespace brdfplot
