@@ -1,9 +1,12 @@
 #include "analysis/integrals.hpp"
 #include "../materials.hpp"
 #include "analysis/properties.hpp"
+#include "math/quadrature.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -68,6 +71,29 @@ TEST_CASE("physically based masking passes Eqs. 14, 18 and 36 wherever one looks
   }
 }
 
+TEST_CASE("the 40 cases of Eq. 36: true error, estimate and cost") {
+  std::vector<std::size_t> costs;
+  for (const auto* type : {"beckmann", "ggx"})
+    for (const double alpha : {0.01, 0.05, 0.1, 0.5, 1.0})
+      for (const double theta : {0.1, 0.8, 1.4, 1.55}) {
+        INFO(type << ", alpha = " << alpha << ", theta = " << theta);
+        const Material m = material(type, alpha);
+        const Direction o = from_angles(theta, 0);
+        const Estimate plane = compute_in_plane(Integral::weak_furnace, m, o);
+        const Estimate line = compute(Integral::weak_furnace, m, o);
+        for (const Estimate& estimate : {plane, line}) {
+          CHECK(std::fabs(estimate.value - 1) < 1e-11);
+          CHECK(std::fabs(estimate.value - 1) <= estimate.error);
+          CHECK(estimate.error <= default_tolerance);
+        }
+        costs.push_back(plane.evaluations);
+        CHECK(line.evaluations <= 100);
+      }
+  std::ranges::sort(costs);
+  CHECK(costs.size() == 40);
+  CHECK(costs[20] <= 2500);
+}
+
 TEST_CASE("Phong and GTR with their own Lambda pass the weak white furnace test") {
   for (const double theta : {0.3, 1.0, 1.5}) {
     const Direction o = from_angles(theta, 0);
@@ -91,6 +117,66 @@ TEST_CASE("single scattering never gains energy, and shadowing loses some") {
             compute(Integral::furnace, build(shadowed(describe(type, alpha), "separable")), o, 1e-8).value;
         CHECK(separable <= with + 1e-8);
       }
+}
+
+TEST_CASE("the furnace to 1e-8 for every G2 over roughness and angle, never above 1 where it is physically based") {
+  struct Form {
+    const char *masking, *shadowing, *lambda;
+  };
+  std::vector<Form> forms;
+  for (const auto* masking : {"smith", "v_cavity"}) {
+    for (const auto* shadowing : {"none", "separable", "minimum", "height_correlated"})
+      if (masking[0] == 's' || shadowing[0] != 'h') forms.push_back({masking, shadowing, ""});
+    for (const auto* lambda : {"ashikhmin", "ginneken"}) {
+      forms.push_back({masking, "direction_correlated", lambda});
+      if (masking[0] == 's') forms.push_back({masking, "height_direction_correlated", lambda});
+    }
+  }
+  for (const Form& form : forms)
+    for (const auto* type : {"beckmann", "ggx"})
+      for (const double alpha : {0.02, 0.15, 0.5, 1.0})
+        for (const double mu : {0.02, 0.2, 0.6, 1.0}) {
+          INFO(form.masking << ", " << form.shadowing << ", " << type << ", alpha = " << alpha << ", mu = " << mu);
+          const Material m = build(shadowed(describe(type, alpha, form.masking), form.shadowing, form.lambda));
+          const Direction o = from_angles(std::acos(mu), 0.3);
+          const Estimate asked = compute(Integral::furnace, m, o, 1e-8);
+          const Estimate exact = compute(Integral::furnace, m, o, 1e-10);
+          CHECK(asked.error <= 1e-8);
+          CHECK(exact.error <= 1e-10);
+          CHECK(std::fabs(asked.value - exact.value) <= asked.error + exact.error);
+          CHECK(exact.value <= 1 + 1e-9);
+        }
+}
+
+TEST_CASE("albedos agree with an integral over the directions of light that shares nothing with them") {
+  // Nested in theta_i and phi_i, where the kinks of isotropic surfaces are theta_i = theta_o and phi_i = 0 and pi.
+  for (const auto* shadowing : {"minimum", "height_correlated", "direction_correlated"}) {
+    const auto* lambda = shadowing[0] == 'd' ? "ginneken" : "";
+    const Material m = build(shadowed(describe("ggx", 0.7), shadowing, lambda));
+    for (const double theta_o : {0.4, 1.2}) {
+      INFO(shadowing << ", theta_o = " << theta_o);
+      const Direction o = from_angles(theta_o, 0);
+      const auto inner = [&](double phi) {
+        const std::array<double, 3> cuts = {0, theta_o, std::numbers::pi / 2};
+        return integrate(
+                   [&](const double* theta, double* y, std::size_t n) {
+                     for (std::size_t k = 0; k < n; ++k)
+                       y[k] = value(m, Quantity::brdf_cos, o, from_angles(theta[k], phi)) * std::sin(theta[k]);
+                   },
+                   cuts, {.absolute = 1e-11})
+            .value;
+      };
+      const std::array<double, 2> cuts = {0, std::numbers::pi};
+      const double sum = integrate(
+                             [&](const double* phi, double* y, std::size_t n) {
+                               for (std::size_t k = 0; k < n; ++k) y[k] = 2 * inner(phi[k]);
+                             },
+                             cuts, {.absolute = 1e-10})
+                             .value;
+      const Estimate e = compute(Integral::furnace, m, o, 1e-9);
+      CHECK(std::fabs(e.value - sum) <= e.error + 1e-9);
+    }
+  }
 }
 
 TEST_CASE("an albedo with a Fresnel term is coloured, and between the extremes of F") {
