@@ -75,6 +75,7 @@ std::string accepted(const ParameterSpec& parameter) {
   case ParameterKind::number_or_rgb: return parameter.bounds.describe() + ", or [r, g, b] of such";
   case ParameterKind::vec2: return "[x, y], each " + parameter.bounds.describe();
   case ParameterKind::choice: return joined(parameter.choices, " | ");
+  case ParameterKind::text: return "a text";
   case ParameterKind::formula: return "a formula of " + joined(parameter.choices, ", ");
   }
   return {};

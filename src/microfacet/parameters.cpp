@@ -49,7 +49,8 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
       if (auto problem = outside(x)) return problem;
   } else if (const auto& word = std::get<std::string>(value); parameter.kind == ParameterKind::formula) {
     return problem_with_formula(word, parameter.choices);
-  } else if (std::ranges::find(parameter.choices, word) == parameter.choices.end()) {
+  } else if (parameter.kind == ParameterKind::choice &&
+             std::ranges::find(parameter.choices, word) == parameter.choices.end()) {
     return unknown_name("value", word, parameter.choices);
   }
   return std::nullopt;

@@ -24,6 +24,7 @@ enum class ParameterKind {
   vec2,
   choice,  ///< one of `choices`
   formula, ///< text: a formula (math/formula.hpp) of the variables `choices`
+  text,    ///< any: the path of a file
 };
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

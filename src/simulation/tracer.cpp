@@ -103,6 +103,8 @@ Place lifted(const SurfacePoint& point) { return {point.x, point.y, static_cast<
 
 } // namespace
 
+void start_embree() { device(); }
+
 TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
   coherent += other.coherent;
   incoherent += other.incoherent;

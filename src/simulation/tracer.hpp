@@ -21,6 +21,9 @@ struct TraceCounts {
   TraceCounts& operator+=(const TraceCounts& other);
 };
 
+/// Embree's threads are started with the first surface; this does it before.
+void start_embree();
+
 /// One period of a heightfield, which must outlive this, ready to be traced. A ray that leaves the period at a side
 /// enters it again at the opposite one, as often as it takes to get above the highest point: the surface has no border,
 /// at any angle. Any number of threads may trace at once; the result of a ray depends on it alone.

@@ -1,0 +1,72 @@
+/// \file
+/// What every measure of a scene does.
+#pragma once
+
+#include "brdf/material.hpp"
+#include "math/random.hpp"
+#include "simulation/scene.hpp"
+#include "simulation/simulate.hpp"
+#include "simulation/tally.hpp"
+#include "simulation/tiles.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace brdfplot::simulation {
+
+/// A measure is made of tasks, one for every direction or pair of directions; a task fills a row of sums for every
+/// tile. Sums are weighted by the tile's weight.
+class Measure {
+public:
+  virtual ~Measure() = default;
+  virtual std::size_t tasks() const = 0;
+  virtual std::size_t width() const = 0;
+  /// Traces about `count` points or paths on a tile and adds to `sums`. Called from many threads.
+  virtual void sample(std::size_t task, const Tile& tile, double count, Random& random, std::span<double> sums,
+                      TraceCounts& counts) const = 0;
+  /// One tally a task. `complete`: the whole surface is in them.
+  virtual Table tabulate(const std::vector<Tally>& tallies, bool complete) const = 0;
+};
+
+/// `smith` is the material of the surface's distribution with Smith's masking; none where there is no distribution.
+std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Material>& smith);
+
+std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Material>& smith);
+std::unique_ptr<Measure> make_g1_by_normal(const MeasureDescription& description, const std::optional<Material>& smith);
+std::unique_ptr<Measure> make_g2(const MeasureDescription& description);
+std::unique_ptr<Measure> make_visible_normals(const MeasureDescription& description);
+std::unique_ptr<Measure> make_lobe(const MeasureDescription& description);
+std::unique_ptr<Measure> make_hemisphere(const MeasureDescription& description);
+std::unique_ptr<Measure> make_bounces(const MeasureDescription& description);
+
+/// A direction to look from.
+struct View {
+  double theta = 0;
+  double phi = 0;
+  Direction omega{};
+};
+
+/// All pairs of theta_o and phi_o, theta_o outermost.
+std::vector<View> views(const MeasureDescription& description);
+
+/// Appends a value and its error to a row.
+inline void append(std::vector<double>& row, const Measured& measured) {
+  row.push_back(measured.value);
+  row.push_back(measured.standard_error);
+}
+
+/// The points of a bunch that face the direction (in the axes of the mesh), and which of them see it.
+struct Facing {
+  std::vector<SurfacePoint> points;
+  std::vector<unsigned char> visible;
+
+  void take(std::span<const SurfacePoint> from, const Direction& direction);
+  /// Those that face a second direction too.
+  void take(std::span<const SurfacePoint> from, const Direction& one, const Direction& other);
+  void trace(const Tracer& tracer, const Direction& direction, TraceCounts& counts);
+};
+
+} // namespace brdfplot::simulation

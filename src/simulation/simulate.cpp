@@ -1,0 +1,207 @@
+#include "simulation/simulate.hpp"
+
+#include "math/interrupt.hpp"
+#include "simulation/measures/measure.hpp"
+#include "simulation/slope_statistics.hpp"
+#include "simulation/streams.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+
+namespace brdfplot::simulation {
+
+namespace {
+
+/// Tiles along each side of a mesh: many enough for an error from their scatter.
+constexpr int tiles_a_side = 8;
+
+/// A realisation with what traces it. Neither is moved: tiles point into them.
+struct Traced {
+  Realisation realisation;
+  std::vector<std::unique_ptr<Tracer>> tracers;
+  std::vector<Tile> tiles;
+};
+
+void cut_into_tiles(const HeightField& field, const Tracer& tracer, int a_side, std::vector<Tile>& tiles) {
+  const double mean_area = static_cast<double>(field.nx()) * field.ny() / (a_side * a_side);
+  for (int j = 0; j < a_side; ++j)
+    for (int i = 0; i < a_side; ++i) {
+      Tile tile{&field,
+                &tracer,
+                field.nx() * i / a_side,
+                field.nx() * (i + 1) / a_side,
+                field.ny() * j / a_side,
+                field.ny() * (j + 1) / a_side,
+                1};
+      tile.weight = static_cast<double>(tile.x1 - tile.x0) * (tile.y1 - tile.y0) / mean_area;
+      tiles.push_back(tile);
+    }
+}
+
+std::unique_ptr<Traced> make(const Surface& surface, std::uint64_t seed, std::uint64_t realisation) {
+  auto out = std::make_unique<Traced>();
+  out->realisation = std::visit([&](const auto& s) { return s.realise(seed, realisation); }, surface);
+  const auto& fields = out->realisation.fields;
+  out->tracers.resize(fields.size());
+  tbb::parallel_for(std::size_t{0}, fields.size(),
+                    [&](std::size_t k) { out->tracers[k] = std::make_unique<Tracer>(fields[k]); });
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const int shorter = std::min(fields[k].nx(), fields[k].ny());
+    cut_into_tiles(fields[k], *out->tracers[k], fields.size() > 1 ? 1 : std::min(tiles_a_side, shorter), out->tiles);
+  }
+  return out;
+}
+
+/// What a measure has gathered.
+struct Gathered {
+  std::unique_ptr<Measure> measure;
+  std::vector<Tally> tallies; ///< one a task
+  double rays = 0;
+};
+
+/// One direction on one tile.
+struct Piece {
+  std::size_t measure, task, tile;
+};
+
+class Run {
+public:
+  Run(const SceneDescription& scene, const SimulationOptions& options)
+      : scene_(scene), options_(options), surface_(build_surface(scene.surface)) {
+    const auto target = std::visit([](const auto& s) { return s.target(); }, surface_);
+    std::optional<Material> smith;
+    if (target) {
+      MaterialDescription material;
+      material.distribution = *target;
+      smith = build(material);
+    }
+    for (MeasureDescription description : scene.measures) {
+      for (const MeasureSpec& spec : measure_specs())
+        if (spec.type == description.type && description.bins == 0) description.bins = spec.bins;
+      Gathered one{make_measure(description, smith), {}, description.rays};
+      one.tallies.assign(one.measure->tasks(), Tally(one.measure->width()));
+      gathered_.push_back(std::move(one));
+    }
+    result_.surface = {"surface", "surface", surface_columns(), {}};
+  }
+
+  SimulationResult result() {
+    for (int k = 0; k < scene_.realisations && !interrupted(); ++k) trace(static_cast<std::uint64_t>(k));
+    if (!options_.keep_partial) throw_if_interrupted();
+    const bool complete = done_ == total_ && done_ > 0;
+    result_.traced = complete ? 1 : total_ > 0 ? static_cast<double>(done_) / static_cast<double>(total_) : 0;
+    for (std::size_t k = 0; k < gathered_.size(); ++k) {
+      Table table = gathered_[k].measure->tabulate(gathered_[k].tallies, complete);
+      table.id = scene_.measures[k].id;
+      result_.tables.push_back(std::move(table));
+    }
+    if (gathered_.empty()) result_.traced = interrupted() ? 0 : 1;
+    return std::move(result_);
+  }
+
+private:
+  static std::vector<std::string> surface_columns() {
+    return {"realisation",
+            "alpha_x",
+            "alpha_x_asked",
+            "alpha_y",
+            "alpha_y_asked",
+            "correlation",
+            "correlation_asked",
+            "mean_x",
+            "mean_x_asked",
+            "mean_y",
+            "mean_y_asked",
+            "rms_height",
+            "correlation_length",
+            "slope_distance",
+            "slope_distance_expected",
+            "chi2",
+            "degrees_of_freedom",
+            "independent_slopes"};
+  }
+
+  void add_statistics(std::uint64_t realisation, const Traced& traced) {
+    const SlopeStatistics s = measure_slopes(surface_, traced.tiles);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const SlopeMap asked =
+        std::visit([](const auto& one) { return one.asked(); }, surface_).value_or(SlopeMap{nan, nan, nan, nan, nan});
+    result_.surface.rows.push_back({static_cast<double>(realisation), s.slopes.alpha_x, asked.alpha_x, s.slopes.alpha_y,
+                                    asked.alpha_y, s.slopes.correlation, asked.correlation, s.slopes.mean_x,
+                                    asked.mean_x, s.slopes.mean_y, asked.mean_y, traced.realisation.rms_height,
+                                    traced.realisation.correlation_length, s.distance, s.expected_distance, s.chi2,
+                                    static_cast<double>(SlopeStatistics::degrees_of_freedom), s.independent});
+  }
+
+  void trace(std::uint64_t realisation) {
+    const auto traced = make(surface_, scene_.seed, realisation);
+    add_statistics(realisation, *traced);
+    // Tile by tile: interrupted, all directions have seen the same part of the surface.
+    std::vector<Piece> pieces;
+    for (std::size_t tile = 0; tile < traced->tiles.size(); ++tile)
+      for (std::size_t m = 0; m < gathered_.size(); ++m)
+        for (std::size_t task = 0; task < gathered_[m].tallies.size(); ++task) pieces.push_back({m, task, tile});
+    const std::size_t first = first_tile_;
+    first_tile_ += traced->tiles.size();
+    for (Gathered& one : gathered_)
+      for (Tally& tally : one.tallies) tally.add_tiles(traced->tiles.size());
+    total_ = pieces.size() * static_cast<std::size_t>(scene_.realisations);
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
+      if (interrupted()) return;
+      trace(pieces[k], *traced, first, realisation);
+    });
+  }
+
+  void trace(const Piece& piece, const Traced& traced, std::size_t first, std::uint64_t realisation) {
+    Gathered& one = gathered_[piece.measure];
+    const Tile& tile = traced.tiles[piece.tile];
+    const double count = one.rays / (2.0 * scene_.realisations * static_cast<double>(traced.tiles.size()));
+    Tally& tally = one.tallies[piece.task];
+    TraceCounts counts;
+    for (const std::size_t half : {0U, 1U}) {
+      // 2^8 measures of 2^16 directions on 2^17 tiles of two halves.
+      const std::uint64_t part = (((std::uint64_t{piece.measure} << 16 | piece.task) << 17 | piece.tile) << 1) | half;
+      Random random(scene_.seed, stream(Purpose::rays, realisation, part));
+      one.measure->sample(piece.task, tile, count, random, tally.half(first + piece.tile, half), counts);
+    }
+    tally.mark_done(first + piece.tile);
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    result_.counts += counts;
+    if (options_.progress) options_.progress({scene_.name, done_, total_});
+  }
+
+  const SceneDescription& scene_;
+  const SimulationOptions& options_;
+  Surface surface_;
+  std::vector<Gathered> gathered_;
+  SimulationResult result_;
+  std::size_t first_tile_ = 0;
+  std::size_t done_ = 0;
+  std::size_t total_ = 0;
+  std::mutex mutex_;
+};
+
+} // namespace
+
+std::size_t Table::column(const std::string& name) const {
+  const auto found = std::ranges::find(columns, name);
+  if (found == columns.end()) throw std::out_of_range(name);
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+SimulationResult simulate(const SceneDescription& scene, const SimulationOptions& options) {
+  check(scene);
+  // More than oneTBB has, it would complain on stderr; its number is known once Embree has asked for threads.
+  start_embree();
+  const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  tbb::task_arena arena(std::clamp(options.threads, 1, most));
+  return arena.execute([&] { return Run(scene, options).result(); });
+}
+
+} // namespace brdfplot::simulation

@@ -1,0 +1,41 @@
+/// \file
+/// A surface whose slopes are GGX's: heights that are a function of Gaussian ones.
+#pragma once
+
+#include "simulation/surfaces/common.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace brdfplot::simulation {
+
+/// Heights h = g(f) of a Gaussian field f with variance 1. At a point f and its gradient are independent, so that the
+/// slopes g'(f) grad f are Gaussian ones of random scale; GGX is such a mixture, Beckmann with alpha / sqrt(m), m
+/// exponential of mean 1 (d'Eon 2023 for Student's t, of which GGX is gamma = 2). With g' = 1 / sqrt(-ln F(|f|)), F the
+/// distribution function of |f|, m = -ln F(|f|) is exponential, and the slopes of the continuous surface are GGX
+/// exactly. A mesh falls short in two ways: where g bends within a cell its facets are averages, and a finite surface
+/// has no steeper slope than its rarest place. What is left is reported as the distance of the histogram.
+///
+/// What no heightfield with these slopes escapes: steep and flat facets do not stand at the same heights. Here the
+/// steep ones are the flanks of peaks and pits, the flat ones lie near the mean height. Smith assumes that heights do
+/// not tell normals apart; the difference of the measured G1 from Smith's is what that is worth.
+struct GgxSurface {
+  RandomMesh mesh;
+
+  static ModelSpec spec() {
+    return {.type = "ggx",
+            .doc = "heights that are a function of Gaussian ones, so that the slopes are GGX's",
+            .source = "a Gaussian scale mixture: d'Eon 2023, Eq. 7 with gamma = 2",
+            .parameters = RandomMesh::parameters(),
+            .alternatives = SlopeMap::alternatives()};
+  }
+  static GgxSurface from(const Values& values) { return {RandomMesh::from(values)}; }
+  std::optional<ParameterError> problem() const { return mesh.problem(); }
+  Realisation realise(std::uint64_t seed, std::uint64_t realisation) const;
+  std::optional<SlopeMap> asked() const { return mesh.slopes; }
+  std::optional<ModelChoice> target() const { return distribution_of("ggx", mesh.slopes); }
+  /// r^2 / (1 + r^2).
+  double radial_cdf(double r) const { return r * r / (1 + r * r); }
+};
+
+} // namespace brdfplot::simulation

@@ -1,0 +1,29 @@
+/// \file
+/// V-cavities: for every normal a surface of its own, ridges whose two sides have that normal and its mirror image.
+#pragma once
+
+#include "simulation/surfaces/common.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace brdfplot::simulation {
+
+/// Torrance and Sparrow 1967; Cook and Torrance 1982; Heitz 2014, section 3.3 and Eqs. 44-49. A realisation is as many
+/// ridged surfaces as `pairs`, of equal area seen from above; the slopes are drawn from the distribution, P22, so that
+/// a normal has the area that D gives it. Under a shear the mirror image is taken at the tilted mesosurface.
+struct VCavitySurface {
+  SlopeMap slopes;
+  bool ggx = false;
+  double pairs = 1024;
+
+  static ModelSpec spec();
+  static VCavitySurface from(const Values& values);
+  std::optional<ParameterError> problem() const;
+  Realisation realise(std::uint64_t seed, std::uint64_t realisation) const;
+  std::optional<SlopeMap> asked() const { return slopes; }
+  std::optional<ModelChoice> target() const { return distribution_of(ggx ? "ggx" : "beckmann", slopes); }
+  double radial_cdf(double r) const { return ggx ? r * r / (1 + r * r) : -std::expm1(-r * r); }
+};
+
+} // namespace brdfplot::simulation
