@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <stdexcept>
 
 namespace brdfplot::simulation {
@@ -39,14 +40,12 @@ struct Period {
   double nx, ny, lowest, highest;
 };
 
-/// The length until a ray leaves the period by a side; the side is returned in `along_x`.
-double length_to_side(const Place& place, const Direction& d, const Period& period, bool& along_x) {
-  const double far = std::numeric_limits<double>::infinity();
-  const double tx = d.x > 0 ? (period.nx - place.x) / d.x : d.x < 0 ? -place.x / d.x : far;
-  const double ty = d.y > 0 ? (period.ny - place.y) / d.y : d.y < 0 ? -place.y / d.y : far;
-  along_x = tx <= ty;
-  return std::max(std::min(tx, ty), 0.0);
-}
+/// A direction with the inverses of its components: all rays of a packet share them.
+struct Aim {
+  explicit Aim(const Direction& direction) : d(direction), x(1 / d.x), y(1 / d.y), z(1 / d.z) {}
+  Direction d;
+  double x, y, z;
+};
 
 /// Moves a ray to the side by which it leaves, and in again at the opposite one.
 void reenter(Place& place, const Direction& d, const Period& period, double length, bool along_x) {
@@ -60,14 +59,8 @@ void reenter(Place& place, const Direction& d, const Period& period, double leng
   }
 }
 
-/// The length after which a ray is above the highest or below the lowest point.
-double length_to_end(const Place& place, const Direction& d, const Period& period) {
-  if (d.z > 0) return std::max((period.highest - place.z) / d.z, 0.0);
-  if (d.z < 0) return std::max((period.lowest - place.z) / d.z, 0.0);
-  return std::numeric_limits<double>::infinity();
-}
-
-/// One piece of a ray, within one period.
+/// One piece of a ray, within one period: its lengths until it leaves by a side and until it is above the highest or
+/// below the lowest point.
 struct Piece {
   double side, end;
   bool along_x;
@@ -75,10 +68,14 @@ struct Piece {
   double length() const { return std::min(side, end); }
 };
 
-Piece piece_of(const Place& place, const Direction& d, const Period& period) {
-  Piece piece{0, length_to_end(place, d, period), false};
-  piece.side = length_to_side(place, d, period, piece.along_x);
-  return piece;
+Piece piece_of(const Place& place, const Aim& aim, const Period& period) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const double x = aim.d.x > 0 ? (period.nx - place.x) * aim.x : aim.d.x < 0 ? -place.x * aim.x : far;
+  const double y = aim.d.y > 0 ? (period.ny - place.y) * aim.y : aim.d.y < 0 ? -place.y * aim.y : far;
+  const double z = aim.d.z > 0   ? (period.highest - place.z) * aim.z
+                   : aim.d.z < 0 ? (period.lowest - place.z) * aim.z
+                                 : far;
+  return {std::max(std::min(x, y), 0.0), std::max(z, 0.0), x <= y};
 }
 
 /// Lanes of a packet as Embree wants them: origin a little behind the side by which the ray came in.
@@ -173,6 +170,7 @@ void Tracer::visible(std::span<const SurfacePoint> points, const Direction& dire
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   const Period& period = scene_->period;
+  const Aim aim(direction);
   for (std::size_t begin = 0; begin < points.size(); begin += lanes) {
     const std::size_t count = std::min(lanes, points.size() - begin);
     alignas(32) RTCRay8 rays;
@@ -182,7 +180,7 @@ void Tracer::visible(std::span<const SurfacePoint> points, const Direction& dire
     std::size_t left = count;
     for (std::size_t k = 0; k < lanes; ++k) {
       place[k] = lifted(points[begin + std::min(k, count - 1)]);
-      piece[k] = piece_of(place[k], direction, period);
+      piece[k] = piece_of(place[k], aim, period);
       valid[k] = k < count ? -1 : 0;
       set_lane(rays, k, place[k], direction, piece[k], false);
     }
@@ -198,7 +196,7 @@ void Tracer::visible(std::span<const SurfacePoint> points, const Direction& dire
           continue;
         }
         reenter(place[k], direction, period, piece[k].side, piece[k].along_x);
-        piece[k] = piece_of(place[k], direction, period);
+        piece[k] = piece_of(place[k], aim, period);
         set_lane(rays, k, place[k], direction, piece[k], true);
       }
     }
@@ -211,6 +209,7 @@ void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& directi
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   const Period& period = scene_->period;
   const Direction down = -1.0 * direction;
+  const Aim downwards(down);
   const auto nx = static_cast<unsigned>(field_->nx());
   for (std::size_t begin = 0; begin < points.size(); begin += lanes) {
     const std::size_t count = std::min(lanes, points.size() - begin);
@@ -219,8 +218,8 @@ void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& directi
     std::array<Place, lanes> place{};
     std::array<Piece, lanes> piece{};
     std::size_t left = count;
-    const auto aim = [&](std::size_t k, bool entered) {
-      piece[k] = piece_of(place[k], down, period);
+    const auto send = [&](std::size_t k, bool entered) {
+      piece[k] = piece_of(place[k], downwards, period);
       set_lane(rays.ray, k, place[k], down, piece[k], entered);
       rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
@@ -229,7 +228,7 @@ void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& directi
       const SurfacePoint& point = points[begin + std::min(k, count - 1)];
       place[k] = {point.x, point.y, period.highest + 2 * static_cast<double>(overlap)};
       valid[k] = k < count ? -1 : 0;
-      aim(k, false);
+      send(k, false);
     }
     while (left > 0) {
       rtcIntersect8(valid.data(), scene_->scene, &context, &rays);
@@ -248,7 +247,7 @@ void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& directi
           continue;
         }
         reenter(place[k], down, period, piece[k].side, piece[k].along_x);
-        aim(k, true);
+        send(k, true);
       }
     }
   }
@@ -261,11 +260,12 @@ Tracer::Fate Tracer::next_hit(SurfacePoint& point, const Direction& direction) c
   const Period& period = scene_->period;
   const auto nx = static_cast<unsigned>(field_->nx());
   const Direction& d = direction;
+  const Aim aim(d);
   Place place = lifted(point);
   double back = 0;
   // A horizontal ray along a valley of a surface that has straight ones would never end.
   for (int k = 0; k < 10000; ++k) {
-    const Piece piece = piece_of(place, d, period);
+    const Piece piece = piece_of(place, aim, period);
     RTCRayHit ray{};
     ray.ray.org_x = static_cast<float>(place.x - back * d.x);
     ray.ray.org_y = static_cast<float>(place.y - back * d.y);
