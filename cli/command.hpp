@@ -30,6 +30,7 @@ struct Command {
 Command add_eval(CLI::App& app, const Settings& settings);
 Command add_plot(CLI::App& app, const Settings& settings);
 Command add_report(CLI::App& app, const Settings& settings);
+Command add_simulate(CLI::App& app, const Settings& settings);
 Command add_list(CLI::App& app);
 Command add_schema(CLI::App& app);
 Command add_validate(CLI::App& app, const Settings& settings);

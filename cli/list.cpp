@@ -6,6 +6,8 @@
 #include "math/errors.hpp"
 #include "math/number.hpp"
 #include "microfacet/registry.hpp"
+#include "simulation/scene.hpp"
+#include "simulation/surface.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -140,6 +142,14 @@ std::string describe_quantities() {
   return "Quantities (brdfplot eval -q)\n" + all.aligned(name_column);
 }
 
+std::string describe_measures() {
+  Lines all;
+  for (const auto& spec : simulation::measure_specs())
+    all.lines.emplace_back(spec.type, spec.doc + (spec.keys.empty() ? "" : "; takes " + joined(spec.keys, ", ")) +
+                                          "; [" + spec.source + "]");
+  return "Measures of a scene (\"measures\")\n" + all.aligned(name_column);
+}
+
 struct Section {
   std::string name;
   std::string (*describe)();
@@ -152,6 +162,8 @@ const std::vector<Section>& sections() {
       {"shadowing", [] { return describe_list<Shadowing>("Masking with shadowing (\"shadowing\")"); }},
       {"fresnel", [] { return describe_list<Fresnel>("Fresnel terms (\"fresnel\")"); }},
       {"quantities", describe_quantities},
+      {"surfaces", [] { return describe_list<simulation::Surface>("Surfaces (\"surface\" of a scene)"); }},
+      {"measures", describe_measures},
   };
   return all;
 }
@@ -173,7 +185,10 @@ int run(const std::string& wanted) {
 Command add_list(CLI::App& app) {
   const auto wanted = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("list", "Models and quantities, with their parameters and sources");
-  command->add_option("section", *wanted, "distributions, masking, shadowing, fresnel or quantities; default: all")
+  command
+      ->add_option("section", *wanted,
+                   "distributions, masking, shadowing, fresnel, quantities, surfaces or measures; "
+                   "default: all")
       ->type_name("SECTION");
   command->footer(footer("brdfplot list distributions"));
   return {command, [wanted] { return run(*wanted); }};

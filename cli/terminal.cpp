@@ -73,6 +73,20 @@ void Progress::finish(const std::string& name) {
   if (shown_) draw();
 }
 
+void Progress::set(std::size_t done, std::size_t total, const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const bool next_percent = total_ != total || 100 * done / total > 100 * done_ / total;
+  total_ = total;
+  done_ = done;
+  running_ = {name};
+  if (shown_ && next_percent) draw();
+}
+
+void Progress::note(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  if (shown_) write_to_stderr((terminal_ ? std::string(clear_line) : "") + text + "\n");
+}
+
 std::string Progress::line() const {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   std::ostringstream out;

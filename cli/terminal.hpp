@@ -21,7 +21,7 @@ std::size_t output_width();
 /// elsewhere (`--progress always`) a line for every task. Safe to call from several threads.
 class Progress {
 public:
-  Progress(const Settings& settings, std::size_t total);
+  explicit Progress(const Settings& settings, std::size_t total = 0);
   /// Clears the line.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -29,6 +29,10 @@ public:
 
   void start(const std::string& name);
   void finish(const std::string& name);
+  /// For work in many small pieces: so many of `total` are done. Elsewhere than on a terminal a line a percent.
+  void set(std::size_t done, std::size_t total, const std::string& name);
+  /// A line of its own, where progress is shown.
+  void note(const std::string& text);
 
 private:
   std::string line() const;

@@ -9,6 +9,7 @@
 #include "analysis/properties.hpp"
 #include "brdf/material.hpp"
 #include "plot/description.hpp"
+#include "simulation/scene.hpp"
 
 #include <string>
 #include <variant>
@@ -43,7 +44,11 @@ struct ReportFile {
 
 ReportFile load_report(const std::string& path);
 
-/// The kinds of file that have a schema: material, figure, report.
+/// A surface and what is measured on it, checked; name: the file's stem when it gives none. The path of a height map is
+/// relative to the file that names it.
+simulation::SceneDescription load_scene(const std::string& path);
+
+/// The kinds of file that have a schema: material, figure, report, scene.
 const std::vector<std::string>& kinds();
 
 /// The JSON Schema (draft 2020-12) of a kind, indented, ending in a newline. \throws InputError for an unknown kind.

@@ -1,4 +1,5 @@
 #include "config/load.hpp"
+#include "config/model_json.hpp"
 #include "config/shapes.hpp"
 #include "math/number.hpp"
 #include "microfacet/registry.hpp"
@@ -6,28 +7,6 @@
 #include <filesystem>
 
 namespace brdfplot::config {
-
-namespace {
-
-Value to_value(const Json& value, ParameterKind kind) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return value.get<double>();
-  if (kind == ParameterKind::vec2) return value.get<Vec2>();
-  return value.get<Rgb>();
-}
-
-template <class List>
-ModelChoice to_choice(const Json& value) {
-  ModelChoice choice{.type = value["type"].get<std::string>(), .values = {}};
-  for (const ModelSpec& spec : specs_of<List>()) {
-    if (spec.type != choice.type) continue;
-    for (const auto& [key, item] : value.items())
-      if (key != "type") choice.values.set(key, to_value(item, spec.find(key)->kind));
-  }
-  return choice;
-}
-
-} // namespace
 
 double to_number(const Json& value) {
   return value.is_string() ? *parse_angle(value.get<std::string>()) : value.get<double>();

@@ -104,7 +104,7 @@ ReportFile load_report(const std::string& path) {
 }
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all = {"material", "figure", "report"};
+  static const std::vector<std::string> all = {"material", "figure", "report", "scene"};
   return all;
 }
 
@@ -116,6 +116,8 @@ std::string schema(const std::string& kind) {
     shape = figure_shape();
   else if (kind == "report")
     shape = report_shape();
+  else if (kind == "scene")
+    shape = scene_shape();
   else
     throw InputError("schema", unknown_name("kind", kind, kinds()));
   return json_schema(*shape, "brdfplot " + kind).dump(2) + "\n";
@@ -126,6 +128,7 @@ std::string validate(const std::string& path) {
   if (!file.root().is_object()) file.fail("", "found " + show(file.root()) + ", accepted: an object");
   if (file.root().contains("panels") || file.root().contains("kind")) return load_figure(path), "figure";
   if (file.root().contains("entries")) return load_report(path), "report";
+  if (file.root().contains("surface")) return load_scene(path), "scene";
   return load_material(path), "material";
 }
 

@@ -10,6 +10,9 @@ void install_interrupt_handler();
 
 bool interrupted();
 
+/// Takes the flag back, for who answers Ctrl-C by keeping what there is.
+void forget_interrupt();
+
 /// \throws Interrupted when the flag is set. Costs one load of memory: cheap enough for every row and integral.
 void throw_if_interrupted();
 

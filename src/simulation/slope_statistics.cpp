@@ -59,7 +59,8 @@ SlopeMap from_moments(std::span<const Tile> tiles) {
     m.yy += w * of_tile[k].yy;
   }
   const double xx = m.xx - m.x * m.x, yy = m.yy - m.y * m.y, xy = m.xy - m.x * m.y;
-  return {std::sqrt(2 * xx), std::sqrt(2 * yy), clamped_correlation(xy / std::sqrt(xx * yy)), m.x, m.y};
+  return {std::sqrt(2 * xx), std::sqrt(2 * yy), xx > 0 && yy > 0 ? clamped_correlation(xy / std::sqrt(xx * yy)) : 0,
+          m.x, m.y};
 }
 
 /// alpha of GGX along an azimuth: sqrt(3) times the median of |slope - mean|.
@@ -110,12 +111,15 @@ SlopeStatistics measure_slopes(const Surface& surface, std::span<const Tile> til
   const auto asked = std::visit([](const auto& s) { return s.asked(); }, surface);
   SlopeStatistics out;
   out.slopes = target && target->type == "ggx" ? from_medians(tiles) : from_moments(tiles);
+  const SlopeMap reference = asked.value_or(out.slopes);
+  if (!(reference.alpha_x > 0 && reference.alpha_y > 0)) return out; // ruled: its slopes have no density
   std::vector<std::vector<double>> of_tile(tiles.size());
   tbb::parallel_for(std::size_t{0}, tiles.size(),
-                    [&](std::size_t k) { of_tile[k] = histogram_of(tiles[k], surface, asked.value_or(out.slopes)); });
+                    [&](std::size_t k) { of_tile[k] = histogram_of(tiles[k], surface, reference); });
   const auto n = static_cast<double>(tiles.size());
   constexpr double p = 1.0 / bins;
   double variance = 0, miss2 = 0;
+  out.distance = out.expected_distance = 0;
   for (std::size_t bin = 0; bin < bins; ++bin) {
     double mean = 0, squares = 0;
     for (std::size_t k = 0; k < tiles.size(); ++k) mean += tiles[k].weight * of_tile[k][bin] / n;

@@ -5,6 +5,7 @@
 #include "simulation/surface.hpp"
 #include "simulation/tiles.hpp"
 
+#include <limits>
 #include <span>
 
 namespace brdfplot::simulation {
@@ -14,16 +15,17 @@ struct SlopeStatistics {
   /// Roughnesses, correlation and mean. For GGX, whose slopes have no variance, from medians: half of the slopes along
   /// an axis lie within alpha / sqrt(3) of the mean. Else from second moments: alpha^2 is twice the variance.
   SlopeMap slopes;
+  /// This and the following are NaN where all slopes are along one line.
   /// Half the sum of |share - probability| over 16 by 8 bins of equal probability, in radius and azimuth of the unit
   /// slope: the total variation between histogram and P22 as far as the bins resolve it. Without slopes asked: from a
   /// Beckmann distribution of the measured ones.
-  double distance = 0;
+  double distance = std::numeric_limits<double>::quiet_NaN();
   /// What the distance of a sample of `independent` slopes from their own distribution would be on average.
-  double expected_distance = 0;
+  double expected_distance = std::numeric_limits<double>::quiet_NaN();
   /// Pearson's chi^2 of the bins, as if `independent` slopes had been drawn; 127 degrees of freedom.
-  double chi2 = 0;
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
   /// How many independent slopes scatter as much as these do between the tiles.
-  double independent = 0;
+  double independent = std::numeric_limits<double>::quiet_NaN();
 
   static constexpr int degrees_of_freedom = 127;
 };

@@ -57,7 +57,7 @@ TEST_CASE("validate reports every file") {
 
 TEST_CASE("every schema is JSON") {
   const Folder folder;
-  for (const char* kind : {"material", "figure", "report"}) {
+  for (const char* kind : {"material", "figure", "report", "scene"}) {
     const auto schema = nlohmann::json::parse(check_output(folder, "brdfplot schema " + std::string(kind)));
     CHECK(schema.at("$schema").get<std::string>().find("2020-12") != std::string::npos);
     CHECK(schema.contains("properties"));
@@ -66,9 +66,10 @@ TEST_CASE("every schema is JSON") {
 
 TEST_CASE("every file in configs is accepted") {
   const Folder folder;
-  for (const auto& [subfolder, kind] :
-       {std::pair{"materials", "material"}, std::pair{"figures", "figure"}, std::pair{"reports", "report"}}) {
+  for (const auto& [subfolder, kind] : {std::pair{"materials", "material"}, std::pair{"figures", "figure"},
+                                        std::pair{"reports", "report"}, std::pair{"scenes", "scene"}}) {
     for (const auto& entry : fs::directory_iterator(folder.path() / "configs" / subfolder)) {
+      if (entry.path().extension() != ".json") continue; // a height map
       const std::string file = "configs/" + std::string(subfolder) + "/" + entry.path().filename().string();
       CHECK(check_output(folder, "brdfplot validate " + file) == file + ": ok (" + kind + ")\n");
     }

@@ -35,7 +35,11 @@ TABLE = {
     "theta_o": ["45deg", 1],
 }
 REPORT = {"title": "T", "entries": [{"section": "s", "table": TABLE}]}
-BASES = {"material": MATERIAL, "figure": FIGURE, "report": REPORT}
+SCENE = {
+    "surface": {"type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4},
+    "measures": [{"type": "g2", "theta_o": ["60deg", 1], "delta_phi": "20deg"}],
+}
+BASES = {"material": MATERIAL, "figure": FIGURE, "report": REPORT, "scene": SCENE}
 GONE = object()
 
 # Kind, where, what is put there (GONE: taken away).
@@ -63,6 +67,13 @@ GOOD = [
     ("figure", "/panels/0/for_each", [{"variable": "distribution", "values": ["ggx"]}]),
     ("report", "/introduction", "I"),
     ("report", "/entries/0/table/tolerance", 1e-3),
+    ("scene", "/name", "S"),
+    ("scene", "/seed", 0),
+    ("scene", "/realisations", 3),
+    ("scene", "/surface/autocorrelation", "exponential"),
+    ("scene", "/surface", {"type": "v_cavity", "alpha": 1, "pairs": 16}),
+    ("scene", "/measures/0/rays", 1e7),
+    ("scene", "/measures/0", {"type": "lobe", "id": "fig11", "theta_o": 1.5, "bins": 60, "bounces": 4}),
 ]
 
 BAD = [
@@ -78,6 +89,20 @@ BAD = [
     ("figure", "/id", GONE),
     ("figure", "/panels", GONE),
     ("figure", "/panels/0/series/0/label_", "x"),
+    ("scene", "/surface", GONE),
+    ("scene", "/measures", GONE),
+    ("scene", "/measures/0/theta_o", GONE),
+    ("scene", "/measures/0/delta_phi", GONE),
+    ("scene", "/measures/0/bins", 10),
+    ("scene", "/surface/pairs", 16),
+    ("scene", "/surface/type", "gausian"),
+    ("scene", "/measures/0/type", "g3"),
+    ("scene", "/measures/0/theta_o", []),
+    ("scene", "/measures/0/id", "../x"),
+    ("scene", "/seed", -1),
+    ("scene", "/realisations", 0),
+    ("scene", "/measures/0/rays", 0),
+    ("scene", "/surface/alpha", 0),
     ("report", "/title", GONE),
     ("report", "/entries/0/section", GONE),
     ("report", "/entries/0/table/alpha", GONE),

@@ -35,7 +35,7 @@ constexpr const char* figure = R"({"id": "f", "kind": "lines", "title": "", "cap
 TEST_CASE("every file in configs loads and is what its folder says") {
   const TempFolder folder;
   for (const auto& [directory, kind] : std::vector<std::pair<std::string, std::string>>{
-           {"materials", "material"}, {"figures", "figure"}, {"reports", "report"}}) {
+           {"materials", "material"}, {"figures", "figure"}, {"reports", "report"}, {"scenes", "scene"}}) {
     const auto files = files_in(directory);
     CHECK(!files.empty());
     for (const auto& file : files) CHECK_MESSAGE(config::validate(file) == kind, file);
@@ -124,7 +124,7 @@ TEST_CASE("reports: errors") {
 }
 
 TEST_CASE("schemas: one for each kind") {
-  CHECK(config::kinds() == std::vector<std::string>{"material", "figure", "report"});
+  CHECK(config::kinds() == std::vector<std::string>{"material", "figure", "report", "scene"});
   for (const auto& kind : config::kinds()) {
     const auto text = config::schema(kind);
     CHECK(text.back() == '\n');
