@@ -1,5 +1,6 @@
 #include "analysis/integrals.hpp"
 
+#include "analysis/components.hpp"
 #include "analysis/hemisphere.hpp"
 #include "analysis/slope_domain.hpp"
 #include "analysis/visible_area.hpp"
@@ -48,22 +49,53 @@ private:
   Columns3 o, i, m;
 };
 
-/// Whether the integrands of Eqs. 13, 18 and 36 have the mirror image of the frame: they do where G1 does not depend on
-/// the normal, or through o.m / z_m alone.
-FacingIntegrand facing(const Material& material, const SlopeFrame& frame, NormalIntegrand value) {
+/// The sum of an integral over the components of a material's distribution, each in its frame: integral(component,
+/// frame, tolerance).
+template <class Function>
+Estimate over_components(const Material& material, const Direction& o, double tolerance, const Function& integral) {
+  const auto parts = components(material.distribution);
+  Estimate sum;
+  for (const Component& component : parts) {
+    const SlopeFrame frame(component.slopes(), o);
+    const Estimate one = integral(component, frame, tolerance / static_cast<double>(parts.size()));
+    sum.value += one.value;
+    sum.error += one.error;
+    sum.evaluations += one.evaluations;
+  }
+  return sum;
+}
+
+/// `integrand`, or where there are several components, the share of one.
+NormalIntegrand part_of(const Material& material, const Component& component, const NormalIntegrand& integrand) {
+  return component.weight == 1 ? integrand : share_of(component, material.distribution, integrand);
+}
+
+/// Whether everything about a material has the mirror image of the plane of incidence.
+bool mirrored(const Material& material, const Direction& o) {
+  if (std::holds_alternative<CustomMasking>(material.masking)) return false;
+  return std::ranges::all_of(components(material.distribution),
+                             [&](const Component& component) { return SlopeFrame(component.slopes(), o).symmetric(); });
+}
+
+/// An integral over the normals that face the viewer. The integrands of Eqs. 13, 18 and 36 have the mirror image of
+/// each frame where G1 does not depend on the normal, or through o.m / z_m alone.
+Estimate integrate_visible(const Material& material, const Direction& o, double tolerance,
+                           const NormalIntegrand& integrand) {
   const bool cavity = std::holds_alternative<VCavity>(material.masking);
-  return {std::move(value), frame.symmetric() || material.has_lambda() || cavity, cavity};
+  const bool symmetric = material.has_lambda() || cavity || mirrored(material, o);
+  return over_components(material, o, tolerance, [&](const auto& component, const SlopeFrame& frame, double asked) {
+    return integrate_facing(frame, {part_of(material, component, integrand), symmetric, cavity}, asked);
+  });
 }
 
 /// int D_o(m) dm over the facing normals.
 Estimate visible(const Material& material, const Direction& o, double tolerance) {
   Rows rows(o);
-  const SlopeFrame frame(material.slopes(), o);
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
     const Batch batch = rows.fill(m.size(), false, true, [&](std::size_t k) { return m[k]; });
     evaluate(material, Quantity::d_visible, batch, out.data());
   };
-  return integrate_facing(frame, facing(material, frame, integrand), tolerance);
+  return integrate_visible(material, o, tolerance, integrand);
 }
 
 /// int G1 <o,m> D dm, each factor by itself.
@@ -77,32 +109,37 @@ Estimate projected_area(const Material& material, const Direction& o, double tol
     evaluate(material, Quantity::g1, batch, out.data());
     for (std::size_t k = 0; k < m.size(); ++k) out[k] *= std::max(0.0, dot(o, m[k])) * density[k];
   };
-  const SlopeFrame frame(material.slopes(), o);
-  return integrate_facing(frame, facing(material, frame, integrand), tolerance * frame.c());
+  return integrate_visible(material, o, tolerance * material.slopes().project(o).c, integrand);
 }
 
 /// Eq. 36 over omega_i, with d omega_i = 4 (o.h) d omega_h: the half vector is found again from omega_i.
 Estimate weak_furnace(const Material& material, const Direction& o, double tolerance) {
   Rows rows(o);
-  const SlopeFrame frame(material.slopes(), o);
+  const double c = material.slopes().project(o).c;
   std::vector<double> density;
   const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
     const Batch batch = rows.fill(h.size(), true, false, [&](std::size_t k) { return reflected(o, h[k]); });
     density.resize(h.size());
     evaluate(material, Quantity::d, batch, density.data());
     evaluate(material, Quantity::g1, batch, out.data());
-    for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * frame.c()) * (4 * dot(o, h[k]));
+    for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * c) * (4 * dot(o, h[k]));
   };
-  return integrate_facing(frame, facing(material, frame, integrand), tolerance);
+  return integrate_visible(material, o, tolerance, integrand);
 }
 
 /// Eqs. 13, 18 and 36 where G1 is one number: G1 / c times the area of the facing normals, times c for Eq. 13.
 Estimate visible_of_lambda(Integral integral, const Material& material, const Direction& o, double tolerance) {
-  const SlopeFrame frame(material.slopes(), o);
+  const double c = material.slopes().project(o).c;
   const double g1 = evaluate(material, Quantity::g1, o, std::nullopt, std::nullopt);
-  const double scale = integral == Integral::projected_area ? g1 : g1 / frame.c();
-  const double asked = integral == Integral::projected_area ? tolerance * frame.c() : tolerance;
-  const Estimate area = visible_area(material, frame, asked / scale);
+  const double scale = integral == Integral::projected_area ? g1 : g1 / c;
+  const double asked = integral == Integral::projected_area ? tolerance * c : tolerance;
+  const auto of_component = [&](const Component& component, const SlopeFrame& frame, double enough) {
+    Estimate one = visible_area(component.distribution, frame, enough / component.weight);
+    one.value *= component.weight;
+    one.error *= component.weight;
+    return one;
+  };
+  const Estimate area = over_components(material, o, asked / scale, of_component);
   return {scale * area.value, scale * area.error, area.evaluations};
 }
 
@@ -114,19 +151,21 @@ NormalIntegrand switch_of(const Direction& o, const Function& function) {
   };
 }
 
-/// What changes its sign where G1(o) = G1(i): a_i - a_o where G1 is a function of a, c_i - c_o where it is one of c and
-/// what both directions share.
+/// What changes its sign where G1(o) = G1(i): c_i - c_o where G1 is a function of c and what both directions share, as
+/// it is on isotropic surfaces; a_i - a_o where it is one of a.
 NormalIntegrand comparison(const Material& material, const Direction& o) {
   const SlopeMap& map = material.slopes();
   const Projection viewer = map.project(o);
   const bool own = std::holds_alternative<CustomMasking>(material.masking);
-  if (own || std::holds_alternative<SchlickSmithRational>(material.masking)) // of more than a
+  const bool of_c = mirrored(material, o) || !material.has_lambda();
+  if (of_c && !own)
+    return switch_of(o, [&map, viewer](const Direction&, const Direction& i) { return map.project(i).c - viewer.c; });
+  const bool several = components(material.distribution).size() > 1;
+  if (own || several || std::holds_alternative<SchlickSmithRational>(material.masking)) // of more than one a
     return switch_of(o, [&material, o](const Direction& h, const Direction& i) {
       return evaluate(material, Quantity::g1, i, std::nullopt, h) -
              evaluate(material, Quantity::g1, o, std::nullopt, h);
     });
-  if (!material.has_lambda())
-    return switch_of(o, [&map, viewer](const Direction&, const Direction& i) { return map.project(i).c - viewer.c; });
   return switch_of(o, [&map, viewer](const Direction&, const Direction& i) {
     const Projection light = map.project(i);
     return light.c * viewer.s - viewer.c * light.s;
@@ -160,9 +199,8 @@ Estimate reflected_light(const Material& material, const Direction& o, double to
                          const std::function<double(const Direction&)>& weight) {
   if (material.facet != Facet::specular) return integrate_hemisphere(material, o, tolerance, weight);
   Rows rows(o);
-  const SlopeFrame frame(material.slopes(), o);
   std::vector<double> all;
-  const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
+  const NormalIntegrand integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
     const std::size_t n = h.size();
     const Batch batch = rows.fill(n, true, false, [&](std::size_t k) { return reflected(o, h[k]); });
     all.resize(static_cast<std::size_t>(material.channels()) * n);
@@ -171,7 +209,11 @@ Estimate reflected_light(const Material& material, const Direction& o, double to
       out[k] = all[static_cast<std::size_t>(channel) * n + k] * 4 * dot(o, h[k]) * weight(reflected(o, h[k]));
   };
   const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
-  return integrate_lit(frame, {integrand, switches(material, o), azimuth}, tolerance);
+  const auto kinks = switches(material, o);
+  const bool symmetric = mirrored(material, o);
+  return over_components(material, o, tolerance, [&](const auto& component, const SlopeFrame& frame, double asked) {
+    return integrate_lit(frame, {part_of(material, component, integrand), kinks, azimuth, symmetric}, asked);
+  });
 }
 
 double one(const Direction&) { return 1; }

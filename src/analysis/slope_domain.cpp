@@ -145,13 +145,12 @@ private:
 /// smooth in psi.
 class LitCharts {
 public:
-  LitCharts(const SlopeFrame& frame, const LitIntegrand& f)
-      : frame_(frame), f_(f), copies_(frame.symmetric() ? 2 : 1) {}
+  LitCharts(const SlopeFrame& frame, const LitIntegrand& f) : frame_(frame), f_(f), copies_(f.symmetric ? 2 : 1) {}
 
   std::vector<Rectangle> rectangles() {
     using std::numbers::pi;
     std::vector<double> cuts = {0, pi / 2, pi};
-    if (!frame_.symmetric()) {
+    if (!f_.symmetric) {
       cuts.insert(cuts.end(), {-pi, -pi / 2});
       if (f_.kink_in_plane_of_incidence && frame_.centred()) {
         const double plane = frame_.plane_of_incidence();

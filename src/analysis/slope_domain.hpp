@@ -71,6 +71,7 @@ struct LitIntegrand {
   NormalIntegrand value;
   std::vector<NormalIntegrand> switches{}; ///< the integrand may have a kink where one of these changes its sign,
   bool kink_in_plane_of_incidence = false; ///< and where azimuths are equal or opposite
+  bool symmetric = false;                  ///< u_2 -> -u_2 changes nothing
 };
 
 /// Integral over the normals that reflect the viewer above the horizon of the mesosurface, in polar coordinates around

@@ -1,6 +1,5 @@
 #include "analysis/visible_area.hpp"
 
-#include "brdf/evaluate.hpp"
 #include "math/gauss_kronrod.hpp"
 
 #include <numbers>
@@ -85,7 +84,7 @@ const Nodes<far_count>& far_nodes(int scale) {
 /// P(r) = D z_m^4 / |d^2 u / d^2 m~|, at n slopes along the viewer's azimuth.
 class Density {
 public:
-  Density(const Material& material, const SlopeFrame& frame) : material_(material), frame_(frame) {}
+  Density(const Distribution& distribution, const SlopeFrame& frame) : distribution_(distribution), frame_(frame) {}
 
   void operator()(const double* r, double* p, std::size_t n) const {
     constexpr std::size_t most = far_count;
@@ -96,12 +95,12 @@ public:
       y[k] = m.y;
       z[k] = m.z;
     }
-    evaluate(material_, Quantity::d, {n, {}, {}, {x.data(), y.data(), z.data()}}, p);
+    std::visit([&](const auto& d) { d.densities({x.data(), y.data(), z.data()}, p, n); }, distribution_);
     for (std::size_t k = 0; k < n; ++k) p[k] *= frame_.determinant() * (z[k] * z[k]) * (z[k] * z[k]);
   }
 
 private:
-  const Material& material_;
+  const Distribution& distribution_;
   const SlopeFrame& frame_;
 };
 
@@ -134,7 +133,7 @@ constexpr std::array<double, 2> unit_interval = {0, 1};
 
 Estimate near_adaptive(const Density& density, double tolerance) {
   const auto f = [&](const double* x, double* y, std::size_t n) {
-    std::array<double, near_count> r;
+    std::array<double, near_count> r{};
     for (std::size_t k = 0; k < n; ++k) r[k] = NearMap::slope(x[k]);
     density(r.data(), y, n);
     for (std::size_t k = 0; k < n; ++k) y[k] = y[k] > 0 ? y[k] * NearMap::weight(x[k]) : 0;
@@ -145,7 +144,7 @@ Estimate near_adaptive(const Density& density, double tolerance) {
 Estimate far_adaptive(const Density& density, double a, double tolerance) {
   const FarMap map{mass * std::hypot(1.0, 1 / a)};
   const auto f = [&](const double* x, double* y, std::size_t n) {
-    std::array<double, near_count> r;
+    std::array<double, near_count> r{};
     for (std::size_t k = 0; k < n; ++k) r[k] = a * std::hypot(1.0, map.s(x[k]));
     density(r.data(), y, n);
     for (std::size_t k = 0; k < n; ++k) y[k] = y[k] > 0 ? y[k] * map.weight(x[k]) * a * a * a : 0;
@@ -163,8 +162,8 @@ void improve(Estimate& estimate, const Better& better) {
 
 } // namespace
 
-Estimate visible_area(const Material& material, const SlopeFrame& frame, double tolerance) {
-  const Density density(material, frame);
+Estimate visible_area(const Distribution& distribution, const SlopeFrame& frame, double tolerance) {
+  const Density density(distribution, frame);
   const double c = frame.c();
   const double s = frame.s();
   const double a = frame.a();

@@ -11,6 +11,6 @@ namespace brdfplot {
 ///   2 pi c int_0^inf P(r) r dr + 2 s int_0^inf P(sqrt(a^2 + t^2)) t (t - a atan(t / a)) dt,
 /// what all facets project, plus what is counted negative in it. One Gauss-Kronrod rule each, 15-31 and 30-61, with
 /// nodes and weights that are constants; adaptive ones where these do not reach `tolerance` (absolute).
-Estimate visible_area(const Material& material, const SlopeFrame& frame, double tolerance);
+Estimate visible_area(const Distribution& distribution, const SlopeFrame& frame, double tolerance);
 
 } // namespace brdfplot
