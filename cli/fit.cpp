@@ -1,0 +1,88 @@
+/// \file
+/// brdfplot fit: Smith's Lambda of a material as the cheapest rational that is accurate enough, for shaders.
+
+#include "analysis/fit_code.hpp"
+#include "command.hpp"
+#include "config/load.hpp"
+#include "math/errors.hpp"
+#include "math/number.hpp"
+#include "math/text_files.hpp"
+#include "plot/fit_figure.hpp"
+#include "render.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace brdfplot::cli {
+
+namespace {
+
+struct FitFlags {
+  std::string material;
+  std::string tolerance;
+  bool fixed = false;
+  std::string output;
+};
+
+double fit_tolerance(const std::string& text) {
+  if (text.empty()) return FitOptions{}.tolerance;
+  const auto value = parse_number(text);
+  if (!value || !(*value > 0) || *value > 0.1)
+    throw InputError("--tolerance", "found \"" + text + "\"; accepted: a number in (0, 0.1]");
+  return *value;
+}
+
+void write_files(const FitResult& result, double tolerance, const std::string& folder) {
+  const std::string id = fit_identifier(result.target.name);
+  const plot::Figure figure = plot::fit_error_figure(result, tolerance, id + "_error");
+  create_folders(folder);
+  write_text_file(in_folder(folder, id + ".hpp"), fit_code(result, tolerance, FitLanguage::cpp));
+  write_text_file(in_folder(folder, id + ".glsl"), fit_code(result, tolerance, FitLanguage::glsl));
+  write_text_file(in_folder(folder, id + ".hlsl"), fit_code(result, tolerance, FitLanguage::hlsl));
+  write_text_file(in_folder(folder, id + "_error.svg"), plot::to_svg(figure));
+  write_text_file(in_folder(folder, id + "_error.csv"), plot::to_csv(figure));
+}
+
+int run(const FitFlags& flags, const Settings& settings) {
+  require_argument(!flags.material.empty(), "fit", "MATERIAL.json");
+  const double tolerance = fit_tolerance(flags.tolerance);
+  const MaterialDescription material = config::load_material(flags.material);
+  FitResult result;
+  run_tasks({{material.name,
+              [&] {
+                result = fit_lambda(material, {tolerance, flags.fixed, settings.threads});
+              }}},
+            settings);
+  if (flags.output.empty()) {
+    print(fit_code(result, tolerance, FitLanguage::cpp));
+    return 0;
+  }
+  write_files(result, tolerance, flags.output);
+  std::string text;
+  for (const auto& line : describe(result, tolerance)) text += line + "\n";
+  print(text);
+  return 0;
+}
+
+} // namespace
+
+Command add_fit(CLI::App& app, const Settings& settings) {
+  const auto flags = std::make_shared<FitFlags>();
+  CLI::App* command = app.add_subcommand("fit", "Smith's masking of a material as code for shaders");
+  command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
+  command->add_option("--tolerance", flags->tolerance, "Largest relative error of G1; default: 1e-4")
+      ->type_name("NUMBER");
+  command->add_flag(
+      "--fixed", flags->fixed,
+      "The parameters exponent (phong), alpha (gtr) and gamma (student_t) as constants, not as arguments");
+  command
+      ->add_option(
+          "-o,--output", flags->output,
+          "Folder of NAME.hpp, NAME.glsl, NAME.hlsl, NAME_error.svg and NAME_error.csv; default: C++ on stdout")
+      ->type_name("DIR");
+  command->footer(footer("brdfplot fit configs/materials/beckmann.json --tolerance 1e-3"));
+  return {command, [flags, &settings] { return run(*flags, settings); }};
+}
+
+} // namespace brdfplot::cli

@@ -1,0 +1,36 @@
+/// \file
+/// The cheapest rational fit of Smith's Lambda whose masking is as accurate as asked.
+#pragma once
+
+#include "analysis/fit_target.hpp"
+
+namespace brdfplot {
+
+struct FitOptions {
+  double tolerance = 1e-4; ///< largest relative error of G1, in (0, 0.1]
+  bool fixed = false;      ///< all parameters of the material are constants (see fit_target)
+  int threads = 1;
+};
+
+struct FitResult {
+  FitTarget target;
+  LambdaFit fit;           ///< coefficients rounded to float where the tolerance allows
+  FitError relative;       ///< largest relative error of G1 over the domain, and where
+  double absolute = 0;     ///< largest error of G1
+  double lambda_error = 0; ///< largest relative error of Lambda where Lambda >= 0.01
+  bool single = true;      ///< whether the coefficients are floats
+};
+
+/// Tries the forms of RationalForm in the order of their cost and returns, of the first cost at which any is within the
+/// tolerance, the most accurate: minimax in the relative error of G1 over all a in [0, infinity] and the domain of the
+/// parameter, proved to have no pole, G1 in [0, 1] and G1 increasing with cos theta (LambdaFit::proved_sound). Errors
+/// are measured on a grid that is denser than that of the fit.
+/// In one variable: powers 1, 2, 3, 4, 6 and 8, degrees up to 6, with and without a cut, the scale optimized. In two:
+/// powers 1, 2 and 4, no cut, degrees up to 6 in a and 5 in the parameter.
+/// \throws AccuracyError when none is; it gives the best error reached. InputError: see fit_target.
+FitResult fit_lambda(const MaterialDescription& description, const FitOptions& options);
+
+/// The most accurate sound fit of one form at the best scale; nothing where there is none within `tolerance`.
+std::optional<LambdaFit> fit_form(RationalForm form, double tolerance, const FitSamples& samples);
+
+} // namespace brdfplot
