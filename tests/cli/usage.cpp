@@ -5,7 +5,7 @@ using namespace test;
 
 namespace {
 
-const std::vector<std::string> commands = {"eval", "plot", "report", "simulate", "list", "schema", "validate"};
+const std::vector<std::string> commands = {"eval", "plot", "fit", "report", "simulate", "list", "schema", "validate"};
 
 /// The line below "Example:".
 std::string example_of(const std::string& help) {
@@ -50,7 +50,8 @@ TEST_CASE("the example of every help works as printed") {
 
 TEST_CASE("what is misspelt names the nearest") {
   const Folder folder;
-  check_error(folder, "brdfplot", 2, {"no command", "accepted: eval, plot, report, simulate, list, schema, validate"});
+  check_error(folder, "brdfplot", 2,
+              {"no command", "accepted: eval, plot, fit, report, simulate, list, schema, validate"});
   check_error(folder, "brdfplot evla", 2, {"unknown command \"evla\"", "did you mean \"eval\"?", "accepted: eval"});
   check_error(folder, "brdfplot eval --toleranse 1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
   check_error(folder, "brdfplot eval --toleranse=1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
@@ -118,7 +119,8 @@ TEST_CASE("list") {
   const Folder folder;
   const std::string all = check_output(folder, "brdfplot list");
   std::string parts;
-  for (const char* section : {"distributions", "masking", "shadowing", "fresnel", "quantities", "surfaces", "measures"}) {
+  for (const char* section :
+       {"distributions", "masking", "shadowing", "fresnel", "quantities", "surfaces", "measures"}) {
     const std::string part = check_output(folder, "brdfplot list " + std::string(section));
     CHECK_FALSE(part.empty());
     parts += (parts.empty() ? "" : "\n") + part;
