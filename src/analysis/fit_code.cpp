@@ -195,8 +195,9 @@ std::string degree(std::size_t in_x, std::size_t in_y, bool two) {
 }
 
 std::string variables(const FitTarget& target) {
-  std::string text = "a = cot(theta) / alpha";
-  if (target.alpha == FitAlpha::constant) text += ", alpha = " + format_number(target.alpha_value);
+  std::string text = "a = cot(theta)";
+  if (target.alpha != FitAlpha::constant) text += " / alpha";
+  if (target.alpha == FitAlpha::constant && target.alpha_value != 1) text += " / " + format_number(target.alpha_value);
   if (target.alpha == FitAlpha::root_of_y) text += ", alpha = sqrt(y)";
   if (!target.parameter) return text;
   const FitParameter& p = *target.parameter;
