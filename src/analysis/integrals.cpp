@@ -7,6 +7,7 @@
 #include "math/number.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace brdfplot {
@@ -124,7 +125,12 @@ Estimate weak_furnace(const Material& material, const Direction& o, double toler
     evaluate(material, Quantity::g1, batch, out.data());
     for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * c) * (4 * dot(o, h[k]));
   };
-  return integrate_visible(material, o, tolerance, integrand);
+  Estimate estimate = integrate_visible(material, o, tolerance, integrand);
+  // o + i has a length of 2 o.h ~ 2 c, and the half vector that many roundings, of which D sees the ratio to its width.
+  const SlopeMap& map = material.slopes();
+  const double width = std::min(map.alpha_x, map.alpha_y) * map.decorrelation();
+  estimate.error += 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) / (c * std::min(1.0, width));
+  return estimate;
 }
 
 /// Eqs. 13, 18 and 36 where G1 is one number: G1 / c times the area of the facing normals, times c for Eq. 13.
