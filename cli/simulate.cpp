@@ -37,7 +37,8 @@ std::string rate(std::uint64_t rays, double seconds, int threads) {
 
 std::string summary(const simulation::TraceCounts& counts, int threads) {
   return "coherent rays: " + rate(counts.coherent, counts.coherent_seconds, threads) +
-         ", incoherent: " + rate(counts.incoherent, counts.incoherent_seconds, threads);
+         ", incoherent: " + rate(counts.incoherent, counts.incoherent_seconds, threads) +
+         ", lost paths: " + std::to_string(counts.lost);
 }
 
 simulation::SimulationResult trace(const simulation::SceneDescription& scene, const Settings& settings) {

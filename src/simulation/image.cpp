@@ -19,7 +19,7 @@ namespace brdfplot::simulation {
 
 namespace {
 
-constexpr int largest_side = 16384;
+constexpr int largest_side = 8192;
 
 /// The bytes that libpng has not read yet.
 struct Source {
@@ -78,7 +78,7 @@ void check_size(const std::string& path, double width, double height) {
   if (width >= 2 && height >= 2 && width <= largest_side && height <= largest_side) return;
   throw InputError(path, "found " + std::to_string(static_cast<long long>(width)) + " by " +
                              std::to_string(static_cast<long long>(height)) +
-                             " pixels; accepted: 2 to 16384 along each side");
+                             " pixels; accepted: 2 to 8192 along each side");
 }
 
 Image read_png(const std::string& path, std::string_view bytes) {

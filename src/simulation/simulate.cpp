@@ -169,6 +169,7 @@ private:
       Random random(scene_.seed, stream(Purpose::rays, realisation, part));
       one.measure->sample(piece.task, tile, count, random, tally.half(first + piece.tile, half), counts);
     }
+    if (interrupted()) return; // half a tile
     tally.mark_done(first + piece.tile);
     const std::lock_guard lock(mutex_);
     ++done_;

@@ -2,6 +2,7 @@
 /// Pieces of a surface, and random points spread over them.
 #pragma once
 
+#include "math/interrupt.hpp"
 #include "math/random.hpp"
 #include "simulation/heightfield.hpp"
 #include "simulation/tracer.hpp"
@@ -24,7 +25,8 @@ struct Tile {
 };
 
 /// Calls body(points) for random places (x, y) of the tile, one in each of k by k equal rectangles, k^2 about `count`;
-/// `make(x, y)` makes the points. They come in bunches of neighbours. Returns how many there were.
+/// `make(x, y)` makes the points. They come in bunches of neighbours. Returns how many there were, as
+/// if Ctrl-C had not ended it.
 template <class Make, class Body>
 std::uint64_t for_random_places(const Tile& tile, double count, Random& random, const Make& make, const Body& body) {
   // Blocks of 4 by 2 go through Embree together.
@@ -33,12 +35,14 @@ std::uint64_t for_random_places(const Tile& tile, double count, Random& random, 
   const double height = (tile.y1 - tile.y0) / static_cast<double>(k);
   std::vector<SurfacePoint> points;
   points.reserve(2 * k);
-  for (std::size_t row = 0; row < k; row += 2) {
+  for (std::size_t row = 0; row < k && !interrupted(); row += 2) {
     points.clear();
     for (std::size_t column = 0; column < k; column += 4)
       for (std::size_t lane = 0; lane < 8; ++lane) {
-        const double x = static_cast<double>(column + lane % 4) + random.uniform();
-        const double y = static_cast<double>(row + lane / 4) + random.uniform();
+        const std::size_t stratum_x = column + lane % 4;
+        const std::size_t stratum_y = row + lane / 4;
+        const double x = static_cast<double>(stratum_x) + random.uniform();
+        const double y = static_cast<double>(stratum_y) + random.uniform();
         points.push_back(make(tile.x0 + x * width, tile.y0 + y * height));
       }
     body(std::span<SurfacePoint>(points));

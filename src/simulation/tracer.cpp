@@ -105,6 +105,7 @@ void start_embree() { device(); }
 TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
   coherent += other.coherent;
   incoherent += other.incoherent;
+  lost += other.lost;
   coherent_seconds += other.coherent_seconds;
   incoherent_seconds += other.incoherent_seconds;
   return *this;
@@ -162,8 +163,6 @@ private:
 
 Tracer::Tracer(const HeightField& field) : scene_(std::make_unique<Scene>(field)), field_(&field) {}
 Tracer::~Tracer() = default;
-Tracer::Tracer(Tracer&&) noexcept = default;
-Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 void Tracer::visible(std::span<const SurfacePoint> points, const Direction& direction, unsigned char* visible) const {
   RTCIntersectContext context;

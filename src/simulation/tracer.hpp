@@ -15,6 +15,7 @@ namespace brdfplot::simulation {
 struct TraceCounts {
   std::uint64_t coherent = 0;
   std::uint64_t incoherent = 0;
+  std::uint64_t lost = 0; ///< paths that rounding took below the surface; they are left out
   double coherent_seconds = 0;
   double incoherent_seconds = 0;
 
@@ -31,16 +32,16 @@ class Tracer {
 public:
   explicit Tracer(const HeightField& field);
   ~Tracer();
-  Tracer(Tracer&&) noexcept;
-  Tracer& operator=(Tracer&&) noexcept;
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
 
   /// visible[k] = 1 where nothing of the surface lies between points[k] and infinity towards `direction` (in the axes
   /// of the mesh, z > 0), else 0. The facets of the points face the direction. Neighbours in the array should be
   /// neighbours on the surface: they are traced together.
   void visible(std::span<const SurfacePoint> points, const Direction& direction, unsigned char* visible) const;
 
-  /// What is seen from infinity against `direction` (z > 0) at the points (x, y, highest) of the plane above the mesh.
-  /// `from` are such points; they are replaced by what is hit. False: the ray was lost by rounding.
+  /// What is seen from infinity against `direction` (z > 0), through the places (x, y) of the plane above the mesh: the
+  /// points are replaced by what is hit. hit[k] = 0: the ray was lost by rounding.
   void first_hits(std::span<SurfacePoint> points, const Direction& direction, unsigned char* hit) const;
 
   enum class Fate { hit, escaped, lost };

@@ -124,7 +124,9 @@ TEST_CASE("energy is 1, over all bounces") {
   for (const char* type : {"gaussian", "v_cavity"}) {
     auto bounces = measure("bounces", {60}, 20000);
     const ModelChoice choice = std::string(type) == "gaussian" ? mesh(type, 1, 128, 6) : surface(type, 1);
-    const Table table = run(scene(choice, bounces)).tables.at(0);
+    const SimulationResult result = run(scene(choice, bounces));
+    CHECK(result.counts.lost == 0);
+    const Table& table = result.tables.at(0);
     double sum = 0;
     for (std::size_t row = 0; row < table.rows.size(); ++row) sum += at(table, row, "energy");
     CHECK(sum == doctest::Approx(1).epsilon(1e-12));

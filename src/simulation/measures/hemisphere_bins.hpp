@@ -25,14 +25,18 @@ public:
     const auto sector = static_cast<std::size_t>((phi < 0 ? phi + 2 * std::numbers::pi : phi) / sector_width());
     return std::min(ring, rings_ - 1) * sectors_ + std::min(sector, sectors_ - 1);
   }
-  double theta(std::size_t bin) const { return (static_cast<double>(bin / sectors_) + 0.5) * ring_width(); }
+  double theta(std::size_t bin) const { return (ring_of(bin) + 0.5) * ring_width(); }
   double phi(std::size_t bin) const { return (static_cast<double>(bin % sectors_) + 0.5) * sector_width(); }
   double solid_angle(std::size_t bin) const {
-    const auto ring = static_cast<double>(bin / sectors_);
+    const double ring = ring_of(bin);
     return (std::cos(ring * ring_width()) - std::cos((ring + 1) * ring_width())) * sector_width();
   }
 
 private:
+  double ring_of(std::size_t bin) const {
+    const std::size_t ring = bin / sectors_;
+    return static_cast<double>(ring);
+  }
   double ring_width() const { return std::numbers::pi / 2 / static_cast<double>(rings_); }
   double sector_width() const { return 2 * std::numbers::pi / static_cast<double>(sectors_); }
   std::size_t rings_;

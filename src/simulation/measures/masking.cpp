@@ -30,7 +30,6 @@ public:
               TraceCounts& counts) const override {
     const Direction omega = views_[task].omega;
     const Direction d = tile.field->to_mesh(omega);
-    // |omega| along the mesh's axes: to_mesh() normalises what a shear has lengthened.
     Facing facing;
     double front = 0, seen = 0, front_area = 0, seen_area = 0;
     const auto all = for_random_points(tile, count, random, [&](std::span<const SurfacePoint> points) {

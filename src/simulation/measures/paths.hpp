@@ -32,7 +32,7 @@ inline bool trace_path(const Tile& tile, SurfacePoint point, const Direction& om
 }
 
 /// Calls body(end) for about `count` paths that start at the tile, uniform in the area that omega_o sees. Returns how
-/// many there were. `paths` that were lost are left out.
+/// many there were; those that were lost are left out.
 template <class Body>
 std::uint64_t for_paths(const Tile& tile, double count, const Direction& omega_o, int most_bounces, Random& random,
                         TraceCounts& counts, const Body& body) {
@@ -52,7 +52,10 @@ std::uint64_t for_paths(const Tile& tile, double count, const Direction& omega_o
     const Stopwatch watch(counts.incoherent_seconds);
     for (std::size_t k = 0; k < points.size(); ++k) {
       PathEnd end;
-      if (hit[k] == 0 || !trace_path(tile, points[k], omega_o, most_bounces, end, counts)) continue;
+      if (hit[k] == 0 || !trace_path(tile, points[k], omega_o, most_bounces, end, counts)) {
+        ++counts.lost;
+        continue;
+      }
       ++paths;
       body(end);
     }

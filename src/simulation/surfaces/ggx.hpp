@@ -14,11 +14,14 @@ namespace brdfplot::simulation {
 /// exponential of mean 1 (d'Eon 2023 for Student's t, of which GGX is gamma = 2). With g' = 1 / sqrt(-ln F(|f|)), F the
 /// distribution function of |f|, m = -ln F(|f|) is exponential, and the slopes of the continuous surface are GGX
 /// exactly. A mesh falls short in two ways: where g bends within a cell its facets are averages, and a finite surface
-/// has no steeper slope than its rarest place. What is left is reported as the distance of the histogram.
+/// has no steeper slope than its rarest place. What is left is reported as the distance of the histogram: for
+/// alpha = 0.6, 1024^2 heights and 16 cells a correlation length 0.017, what 60000 independent slopes would have by
+/// chance (chi^2 of 109 and 123 for 127 degrees in two realisations).
 ///
-/// What no heightfield with these slopes escapes: steep and flat facets do not stand at the same heights. Here the
-/// steep ones are the flanks of peaks and pits, the flat ones lie near the mean height. Smith assumes that heights do
-/// not tell normals apart; the difference of the measured G1 from Smith's is what that is worth.
+/// What it costs: steep and flat facets do not stand at the same heights. The steep ones are the flanks of peaks and
+/// pits, the flat ones lie near the mean height, while Smith assumes that heights do not tell normals apart. G1 of the
+/// same surface is 0.813 for Smith's 0.819 at 60 degrees and 0.571 for 0.579 at 75 degrees, with errors of 1 to 2
+/// percent.
 struct GgxSurface {
   RandomMesh mesh;
 
