@@ -38,8 +38,8 @@ struct Basis {
 struct Terms {
   std::vector<double> difference; ///< x m Lambda - (1 - x)^p n
   std::vector<double> sum;        ///< x m + (1 - x)^p n
-  std::vector<double> n;
-  std::vector<double> slope; ///< of G1, times positive factors (see LambdaFit::proved_sound)
+  std::vector<double> fall;       ///< minus the slope of (1 - x)^p n / x, times positive factors
+  std::vector<double> slope;      ///< of G1, times positive factors (see LambdaFit::proved_sound)
 
   void add_n(const RationalForm& form, const FitSample& sample, const Near* near) {
     const double x = form.x(sample.a);
@@ -53,7 +53,7 @@ struct Terms {
         const double b = bx.value[i] * by.value[j];
         difference.push_back(-vanishing * b);
         sum.push_back(vanishing * b);
-        n.push_back((1 + (form.power - 1) * x) * b - x * (1 - x) * bx.slope[i] * by.value[j]);
+        fall.push_back((1 + (form.power - 1) * x) * b - x * (1 - x) * bx.slope[i] * by.value[j]);
         slope.push_back(of_value * b - (1 - x) * x * m * bx.slope[i] * by.value[j]);
       }
     }
@@ -72,7 +72,7 @@ struct Terms {
         const double b = bx.value[i] * by.value[j];
         difference.push_back(x * b * sample.lambda);
         sum.push_back(x * b);
-        n.push_back(0);
+        fall.push_back(0);
         slope.push_back(of_value * b + (1 - x) * x * n0 * bx.slope[i] * by.value[j]);
       }
     }
@@ -92,7 +92,7 @@ double denominator(const LambdaFit& fit, const FitSample& sample) {
 
 void append(Rows& rows, const FitSample& sample, double tolerance, const RationalForm& form, const Near* near,
             bool increasing) {
-  // n and the slope may come near 0, but are not to be 0: the weight of their rows says how near.
+  // The slopes may come near 0, but are not to be 0: the weight of their rows says how near.
   constexpr double weight_of_signs = 1e3;
   Terms terms;
   terms.add_n(form, sample, near);
@@ -101,7 +101,7 @@ void append(Rows& rows, const FitSample& sample, double tolerance, const Rationa
   for (const double sign : {-1.0, 1.0})
     for (std::size_t i = 0; i < rows.columns; ++i)
       rows.values.push_back((tolerance * terms.sum[i] + sign * terms.difference[i]) / scale);
-  for (const double n : terms.n) rows.values.push_back(weight_of_signs * n);
+  for (const double fall : terms.fall) rows.values.push_back(weight_of_signs * fall);
   if (!increasing) return;
   const double size = largest(terms.slope);
   for (const double slope : terms.slope) rows.values.push_back(weight_of_signs * slope / size);
@@ -119,7 +119,7 @@ std::optional<LambdaFit> as_fit(const RationalForm& form, const std::vector<doub
   return fit;
 }
 
-/// About `most` samples, spread over all.
+/// So many samples of so many lines, spread over all.
 std::vector<std::size_t> some_samples(const FitSamples& samples, std::size_t per_line, std::size_t most_lines) {
   const std::size_t lines = samples.samples.size() / samples.per_line;
   const auto spread = [](std::size_t k, std::size_t count, std::size_t size) {

@@ -34,11 +34,12 @@ FitError largest_error(const LambdaFit& fit, const FitSamples& samples);
 ///
 /// |x m Lambda - (1 - x)^p n| <= tolerance (x m + (1 - x)^p n) is linear in the coefficients, and G1 of the fit is the
 /// rational x m / (x m + (1 - x)^p n) itself: so whether there is a fit is a linear program, in any number of variables
-/// (fit_maximin.hpp), and no iteration is needed for the nonlinearity of 1 / (1 + Lambda). n >= 0 is one more row a
-/// sample. The program is given few samples, then those where its answer is worst, until it holds at all.
-/// `near`: an earlier fit, by whose denominators the rows are divided. Where `rising` is given, one more row
-/// a sample asks that G1 increase with a, at the samples that it names too: linearized at the earlier fit, since that
-/// is a product of coefficients of n and m.
+/// (fit_maximin.hpp), and no iteration is needed for the nonlinearity of 1 / (1 + Lambda). That (1 - x)^p n / x falls,
+/// and so is not negative, is one more row a sample: linear too, and most of what G1 needs to increase. The program is
+/// given few samples, then those where its answer is worst, until it holds at all.
+/// `near`: an earlier fit, by whose denominators the rows are divided. Where `rising` is given, one more row a sample
+/// asks that G1 increase with a, at the samples that it names too: linearized at the earlier fit, since that is a
+/// product of coefficients of n and m.
 std::optional<LambdaFit> fit_within(double tolerance, const RationalForm& form, const FitSamples& samples,
                                     const LambdaFit* near = nullptr, const std::vector<std::size_t>* rising = nullptr);
 
