@@ -1,7 +1,10 @@
 #include "command.hpp"
 
 #include "math/errors.hpp"
+#include "math/number.hpp"
 #include "math/text_files.hpp"
+
+#include <cmath>
 
 namespace brdfplot::cli {
 
@@ -13,6 +16,14 @@ std::string footer(const std::string& example) {
 
 void require_argument(bool given, const std::string& command, const std::string& what) {
   if (!given) throw InputError(command, "needs " + what + "; see brdfplot " + command + " --help");
+}
+
+double read_tolerance(const std::string& text, double fallback) {
+  if (text.empty()) return fallback;
+  const auto value = parse_number(text);
+  if (!value || !(*value > 0) || !std::isfinite(*value))
+    throw InputError("--tolerance", "found \"" + text + "\", accepted: a number > 0");
+  return *value;
 }
 
 void print(const std::string& text) { write_text_file("-", text); }

@@ -29,6 +29,7 @@ struct Command {
 /// Each adds a command to `app`. `settings` is read when the command runs.
 Command add_eval(CLI::App& app, const Settings& settings);
 Command add_plot(CLI::App& app, const Settings& settings);
+Command add_check(CLI::App& app, const Settings& settings);
 Command add_fit(CLI::App& app, const Settings& settings);
 Command add_report(CLI::App& app, const Settings& settings);
 Command add_simulate(CLI::App& app, const Settings& settings);
@@ -41,6 +42,9 @@ std::string footer(const std::string& example);
 
 /// \throws InputError when `value`, which `command` needs, is not given; `what` says what it is.
 void require_argument(bool given, const std::string& command, const std::string& what);
+
+/// The value of --tolerance; `fallback` when it is not given. \throws InputError
+double read_tolerance(const std::string& text, double fallback);
 
 /// Text to stdout, all of it or a FileError.
 void print(const std::string& text);

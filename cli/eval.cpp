@@ -35,19 +35,11 @@ std::vector<std::string> split(const std::vector<std::string>& lists) {
   return names;
 }
 
-double read_tolerance(const std::string& text) {
-  if (text.empty()) return default_tolerance;
-  const auto value = parse_number(text);
-  if (!value || !(*value > 0) || *value == infinity)
-    throw InputError("--tolerance", "found \"" + text + "\", accepted: a number > 0");
-  return *value;
-}
-
 int run(const EvalFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "eval", "MATERIAL.json");
   require_argument(!flags.quantities.empty(), "eval", "-q Q[,Q...]");
-  const StreamOptions options{select_quantities(split(flags.quantities), "-q"), read_tolerance(flags.tolerance),
-                              settings.threads};
+  const StreamOptions options{select_quantities(split(flags.quantities), "-q"),
+                              read_tolerance(flags.tolerance, default_tolerance), settings.threads};
   Material material = build(config::load_material(flags.material));
   material.name = flags.material; // errors name the material by its file
   InputFile in(flags.input);

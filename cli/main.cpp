@@ -54,7 +54,8 @@ void add_global_flags(CLI::App& app, cli::Settings& settings) {
   app.add_option("--progress", settings.progress, "Progress on stderr: auto (on a terminal), always, never")
       ->type_name("WHEN")
       ->check(CLI::Validator(check_when, ""));
-  app.add_option("--color", settings.color, "Colour on stderr: auto (on a terminal, without NO_COLOR), always, never")
+  app.add_option("--color", settings.color,
+                 "Colour of errors and tables: auto (on a terminal, without NO_COLOR), always, never")
       ->type_name("WHEN")
       ->check(CLI::Validator(check_when, ""));
 }
@@ -68,9 +69,9 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   app.footer("brdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"
              "  brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv");
   const std::vector<cli::Command> commands = {
-      cli::add_eval(app, settings),   cli::add_plot(app, settings),     cli::add_fit(app, settings),
-      cli::add_report(app, settings), cli::add_simulate(app, settings), cli::add_list(app),
-      cli::add_schema(app),           cli::add_validate(app, settings)};
+      cli::add_eval(app, settings), cli::add_plot(app, settings),   cli::add_check(app, settings),
+      cli::add_fit(app, settings),  cli::add_report(app, settings), cli::add_simulate(app, settings),
+      cli::add_list(app),           cli::add_schema(app),           cli::add_validate(app, settings)};
   for (const auto& command : commands) command.app->group("Commands");
   try {
     app.parse(argc, argv);

@@ -1,6 +1,7 @@
 /// \file
 /// brdfplot report: every figure and table of a manifest, as a folder with a page.
 
+#include "built_in.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
 #include "math/errors.hpp"
@@ -43,18 +44,6 @@ struct OutputText {
   std::string text;
 };
 
-std::string built_in_manifest() {
-  const fs::path name = fs::path("reports") / "heitz2014.json";
-  std::error_code error;
-  std::vector<fs::path> folders;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  if (!error) folders.push_back((executable.parent_path() / config_directory_from_executable).lexically_normal());
-  folders.insert(folders.end(), config_directories.begin(), config_directories.end());
-  for (const auto& folder : folders)
-    if (fs::exists(folder / name, error)) return (folder / name).string();
-  throw FileError((folders.back() / name).string(), "cannot read: the built-in report is not installed");
-}
-
 /// What has to be computed for `entry`: a figure at once, a table row by row.
 void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Computed& computed,
                   std::vector<Task>& tasks) {
@@ -63,16 +52,15 @@ void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Co
     return;
   }
   const auto& table = std::get<PropertyTableDescription>(entry.what);
-  const std::size_t columns = table.distributions.size();
-  computed.rows.resize(table.maskings.size() * columns);
-  computed.row_seconds.resize(computed.rows.size());
-  for (std::size_t r = 0; r < computed.rows.size(); ++r) {
-    const std::string& masking = table.maskings[r / columns];
-    const std::string& distribution = table.distributions[r % columns];
-    const auto measure = [&table, &computed, masking, distribution, r] {
-      computed.row_seconds[r] = timed([&] { computed.rows[r] = measure_properties(table, distribution, masking); });
-    };
-    tasks.push_back({table.id + ", " + distribution + " with " + masking, measure});
+  auto rows = families(table);
+  computed.rows.resize(rows.size());
+  computed.row_seconds.resize(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::string name = table.id + ", " + rows[r].members.at(0).name;
+    tasks.push_back({name, [&table, &computed, family = std::move(rows[r]), r] {
+                       computed.row_seconds[r] =
+                           timed([&] { computed.rows[r] = measure(family, table3_properties(), table.search()); });
+                     }});
   }
 }
 
@@ -99,7 +87,7 @@ struct Content {
     const std::string stem = "tables/" + table.id;
     records.push_back({table.id, "table", {stem + ".csv", stem + ".md"}, seconds, computed.rows});
     files.push_back({stem + ".csv", csv});
-    files.push_back({stem + ".md", table_markdown(table, computed.rows)});
+    files.push_back({stem + ".md", table_markdown(table.title, table.caption, computed.rows)});
   }
 };
 
@@ -130,7 +118,8 @@ void write(const std::string& folder, std::vector<OutputText> files, const Outpu
 
 int run(const ReportFlags& flags, const Settings& settings) {
   require_argument(!flags.output.empty(), "report", "-o DIR");
-  const auto report = config::load_report(flags.manifest.empty() ? built_in_manifest() : flags.manifest);
+  const auto report =
+      config::load_report(flags.manifest.empty() ? built_in_config("reports/heitz2014.json") : flags.manifest);
   create_folders(flags.output);
   std::vector<Computed> computed(report.entries.size());
   const double seconds = timed([&] {

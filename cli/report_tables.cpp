@@ -3,28 +3,23 @@
 #include "math/number.hpp"
 #include "plot/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <string_view>
 
 namespace brdfplot::cli {
 
 namespace {
 
 std::string_view word(Verdict verdict) {
-  return verdict == Verdict::holds ? "true" : verdict == Verdict::fails ? "false" : "unknown";
-}
-
-std::string_view mark(Verdict verdict) {
-  return verdict == Verdict::holds ? "✓" : verdict == Verdict::fails ? "×" : "?";
-}
-
-Verdict verdict_of(const PropertyRow& row) {
-  using enum Verdict;
-  for (const Residual* residual : {&row.eq14, &row.eq18, &row.eq36})
-    if (residual->verdict == fails) return fails;
-  return row.physically_based() ? holds : unknown;
+  switch (verdict) {
+  case Verdict::holds: return "true";
+  case Verdict::fails: return "false";
+  case Verdict::unknown: return "unknown";
+  case Verdict::not_applicable: break;
+  }
+  return "does not apply";
 }
 
 /// A number for the eye: two digits, or one and a power of ten when it is tiny.
@@ -35,7 +30,7 @@ struct Short {
 
 Short shorten(double value) {
   std::array<char, 32> buffer{};
-  if (value == 0 || value >= 1e-3) {
+  if (!(value < 1e-3) || value == 0) {
     std::snprintf(buffer.data(), buffer.size(), "%.2g", value);
     return {buffer.data()};
   }
@@ -46,56 +41,118 @@ Short shorten(double value) {
 }
 
 std::string plain(const Residual& residual) {
-  const Short number = shorten(residual.max_residual);
-  return std::string(mark(residual.verdict)) + " " + number.digits +
-         (number.exponent == 0 ? "" : "e" + std::to_string(number.exponent));
+  const std::string sign(mark(residual.verdict));
+  return residual.verdict == Verdict::not_applicable ? sign : sign + " " + short_number(residual.max_residual);
 }
 
 std::string with_markup(const Residual& residual) {
   const Short number = shorten(residual.max_residual);
-  return std::string(mark(residual.verdict)) + " " + number.digits +
-         (number.exponent == 0 ? "" : "·10^{" + std::to_string(number.exponent) + "}");
+  const std::string sign(mark(residual.verdict));
+  if (residual.verdict == Verdict::not_applicable) return sign;
+  return sign + " " + number.digits + (number.exponent == 0 ? "" : "·10^{" + std::to_string(number.exponent) + "}");
+}
+
+/// The properties that any row has, in their order.
+std::vector<PropertyInfo> measured(const std::vector<PropertyRow>& rows) {
+  std::vector<PropertyInfo> out;
+  for (const auto& info : properties())
+    if (std::ranges::any_of(rows, [&](const auto& row) { return row.residuals.contains(info.property); }))
+      out.push_back(info);
+  return out;
+}
+
+bool has_materials(const std::vector<PropertyRow>& rows) {
+  return std::ranges::any_of(rows, [](const auto& row) { return !row.material.empty(); });
 }
 
 template <class Format>
 std::vector<std::vector<std::string>> cells(const std::vector<PropertyRow>& rows, const Format& format) {
-  std::vector<std::vector<std::string>> table = {
-      {"masking", "distribution", "Eq. 14", "Eq. 18", "Eq. 36", "physically based"}};
-  for (const auto& row : rows)
-    table.push_back({row.masking, row.distribution, format(row.eq14), format(row.eq18), format(row.eq36),
-                     std::string(mark(verdict_of(row)))});
+  const auto columns = measured(rows);
+  const bool materials = has_materials(rows);
+  std::vector<std::vector<std::string>> table(1);
+  auto& header = table[0];
+  if (materials) header.emplace_back("material");
+  header.insert(header.end(), {"masking", "distribution"});
+  for (const auto& info : columns) header.push_back(info.title);
+  header.emplace_back("physically based");
+  for (const auto& row : rows) {
+    std::vector<std::string> line;
+    if (materials) line.push_back(row.material);
+    line.insert(line.end(), {row.masking, row.label});
+    for (const auto& info : columns) line.push_back(format(row.residuals.at(info.property)));
+    line.emplace_back(mark(row.physically_based()));
+    table.push_back(std::move(line));
+  }
   return table;
+}
+
+/// A field of a CSV, quoted where it has to be.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out.append(c == '"' ? 2 : 1, c);
+  return out + "\"";
+}
+
+/// Two columns of every property: its largest residual and what follows.
+void append_verdicts(std::string& out, const PropertyRow& row, const std::vector<PropertyInfo>& columns) {
+  for (const auto& info : columns) {
+    const Residual& residual = row.residuals.at(info.property);
+    out += ',';
+    if (residual.verdict != Verdict::not_applicable) append_number(out, residual.max_residual);
+    (out += ',').append(word(residual.verdict));
+  }
+  (out += ',').append(word(row.physically_based()));
+}
+
+/// Where the largest of residuals that are rounding stands is chance, and would change from machine to machine.
+void append_places(std::string& out, const PropertyRow& row, const std::vector<PropertyInfo>& columns) {
+  for (const auto& info : columns) {
+    const Residual& residual = row.residuals.at(info.property);
+    const bool told = residual.verdict == Verdict::fails || residual.verdict == Verdict::unknown;
+    for (const double value : {residual.alpha, residual.theta_o, residual.phi_o}) {
+      out += ',';
+      if (told) append_number(out, value);
+    }
+  }
 }
 
 } // namespace
 
+std::string_view mark(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::holds: return "✓";
+  case Verdict::fails: return "✗";
+  case Verdict::unknown: return "?";
+  case Verdict::not_applicable: break;
+  }
+  return "-";
+}
+
+std::string short_number(double value) {
+  const Short number = shorten(value);
+  return number.digits + (number.exponent == 0 ? "" : "e" + std::to_string(number.exponent));
+}
+
 std::string table_csv(const std::vector<PropertyRow>& rows) {
-  constexpr std::array<std::string_view, 3> equations = {"eq14", "eq18", "eq36"};
-  std::string out = "distribution,masking";
-  for (const auto equation : equations)
-    (out += ',').append(equation).append("_max_residual,").append(equation).append("_holds");
+  const auto columns = measured(rows);
+  const bool materials = has_materials(rows);
+  std::string out = materials ? "material,distribution,masking" : "distribution,masking";
+  for (const auto& info : columns) out += "," + info.name + "_max_residual," + info.name + "_holds";
   out += ",physically_based";
-  for (const auto equation : equations)
-    (out += ',').append(equation).append("_alpha,").append(equation).append("_theta_o");
+  for (const auto& info : columns) out += "," + info.name + "_alpha," + info.name + "_theta_o," + info.name + "_phi_o";
   out += '\n';
   for (const auto& row : rows) {
-    const std::array<const Residual*, 3> residuals = {&row.eq14, &row.eq18, &row.eq36};
-    out += row.distribution + "," + row.masking;
-    for (const Residual* residual : residuals)
-      (out += "," + format_number(residual->max_residual) + ",").append(word(residual->verdict));
-    (out += ',').append(word(verdict_of(row)));
-    // Where the largest of residuals that are rounding stands is chance, and would change from machine to machine.
-    for (const Residual* residual : residuals)
-      out += residual->verdict == Verdict::holds
-                 ? ",,"
-                 : "," + format_number(residual->alpha) + "," + format_number(residual->theta_o);
+    out += (materials ? field(row.material) + "," : "") + field(row.label) + "," + row.masking;
+    append_verdicts(out, row, columns);
+    append_places(out, row, columns);
     out += '\n';
   }
   return out;
 }
 
-std::string table_markdown(const PropertyTableDescription& table, const std::vector<PropertyRow>& rows) {
-  std::string out = "# " + plot::strip_markup(table.title) + "\n\n" + plot::strip_markup(table.caption) + "\n\n";
+std::string table_markdown(const std::string& title, const std::string& caption, const std::vector<PropertyRow>& rows) {
+  std::string out = "# " + plot::strip_markup(title) + "\n\n" + plot::strip_markup(caption) + "\n\n";
   bool header = true;
   for (const auto& line : cells(rows, plain)) {
     for (const auto& cell : line) out += "| " + cell + " ";
@@ -107,6 +164,8 @@ std::string table_markdown(const PropertyTableDescription& table, const std::vec
   }
   return out;
 }
+
+std::vector<std::vector<std::string>> plain_cells(const std::vector<PropertyRow>& rows) { return cells(rows, plain); }
 
 std::vector<std::vector<std::string>> table_cells(const std::vector<PropertyRow>& rows) {
   return cells(rows, with_markup);

@@ -5,15 +5,25 @@
 #include "analysis/properties.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brdfplot::cli {
+
+/// ✓, ✗, ? where it cannot be told, - where it does not apply.
+std::string_view mark(Verdict verdict);
+
+/// "2e-11", two digits from 1e-3 on.
+std::string short_number(double value);
 
 /// One line a row, in full: where the residuals are largest as well.
 std::string table_csv(const std::vector<PropertyRow>& rows);
 
 /// The table as Table 3 of Heitz 2014 shows it, under its title.
-std::string table_markdown(const PropertyTableDescription& table, const std::vector<PropertyRow>& rows);
+std::string table_markdown(const std::string& title, const std::string& caption, const std::vector<PropertyRow>& rows);
+
+/// The same as cells of plain text; the first row is the header.
+std::vector<std::vector<std::string>> plain_cells(const std::vector<PropertyRow>& rows);
 
 /// The same as cells with label markup; the first row is the header.
 std::vector<std::vector<std::string>> table_cells(const std::vector<PropertyRow>& rows);

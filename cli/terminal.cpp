@@ -20,11 +20,11 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-bool coloured(const Settings& settings) {
+bool coloured(const Settings& settings, int fd) {
   if (settings.color != "auto") return settings.color == "always";
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-  return isatty(STDERR_FILENO) == 1 && !is_set("NO_COLOR") && !dumb;
+  return isatty(fd) == 1 && !is_set("NO_COLOR") && !dumb;
 }
 
 /// There is nowhere left to tell that stderr cannot be written.
@@ -47,8 +47,11 @@ void print_error(const Settings& settings, const std::string& message) {
   std::string text = message;
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  write_to_stderr((coloured(settings) ? "brdfplot: \x1b[1;31merror:\x1b[0m " : "brdfplot: error: ") + text + "\n");
+  write_to_stderr((coloured(settings, STDERR_FILENO) ? "brdfplot: \x1b[1;31merror:\x1b[0m " : "brdfplot: error: ") +
+                  text + "\n");
 }
+
+bool colours_stdout(const Settings& settings) { return coloured(settings, STDOUT_FILENO); }
 
 std::size_t output_width() { return std::clamp<std::size_t>(columns_of(STDOUT_FILENO, 100), 40, 120); }
 

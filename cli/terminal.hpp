@@ -14,6 +14,9 @@ namespace brdfplot::cli {
 /// `brdfplot: error: MESSAGE` on stderr: one line, whatever the message holds.
 void print_error(const Settings& settings, const std::string& message);
 
+/// Whether what is written to stdout may have colour: --color, NO_COLOR and whether it is a terminal decide.
+bool colours_stdout(const Settings& settings);
+
 /// Columns of the terminal that stdout is, within reason; 100 when it is none.
 std::size_t output_width();
 

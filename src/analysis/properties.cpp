@@ -1,59 +1,144 @@
 #include "analysis/properties.hpp"
 
+#include "analysis/property_tests.hpp"
+#include "math/errors.hpp"
+#include "math/number.hpp"
+#include "microfacet/registry.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace brdfplot {
 
 namespace {
 
-/// Takes the residual of one configuration into the largest so far.
-void take(Residual& residual, const Estimate& estimate, double scale, double alpha, double theta_o) {
-  const double distance = std::fabs(estimate.value / scale - 1);
-  if (distance < residual.max_residual) return;
-  residual.max_residual = distance;
-  residual.error = estimate.error / scale;
-  residual.alpha = alpha;
-  residual.theta_o = theta_o;
+/// Whether the distribution that `choice` names still needs a roughness, and takes it as `alpha`.
+bool takes_alpha(const ModelChoice& choice) {
+  const auto specs = specs_of<Distribution>();
+  const auto spec = std::ranges::find(specs, choice.type, &ModelSpec::type);
+  if (spec == specs.end() || spec->find("alpha") == nullptr || choice.values.has("alpha")) return false;
+  return std::ranges::none_of(spec->alternatives, [&](const auto& group) {
+    return std::ranges::all_of(group, [&](const auto& key) { return choice.values.has(key); });
+  });
 }
 
-void judge(Residual& residual, double tolerance) {
-  if (residual.max_residual + residual.error <= tolerance)
-    residual.verdict = Verdict::holds;
-  else if (residual.max_residual - residual.error > tolerance)
-    residual.verdict = Verdict::fails;
+std::string text_of(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  std::string out;
+  const auto append = [&](double x) { out += (out.empty() ? "" : " ") + format_number(x); };
+  if (const auto* pair = std::get_if<Vec2>(&value)) std::ranges::for_each(*pair, append);
+  if (const auto* rgb = std::get_if<Rgb>(&value)) std::ranges::for_each(*rgb, append);
+  return out;
 }
 
 } // namespace
 
-PropertyRow measure_properties(const PropertyTableDescription& table, const std::string& distribution,
-                               const std::string& masking) {
-  PropertyRow row{distribution, masking, {}, {}, {}};
-  const double asked = 0.01 * table.tolerance;
-  for (const double alpha : table.alpha) {
-    MaterialDescription description;
-    description.name = distribution + " with " + masking;
-    description.distribution.type = distribution;
-    description.distribution.values.set("alpha", alpha);
-    description.masking.type = masking;
-    const Material material = build(description);
-    for (const double theta : table.theta_o) {
-      const Direction o = from_angles(theta, 0);
-      const double c = material.slopes().project(o).c;
-      take(row.eq14, compute(Integral::projected_area, material, o, asked), c, alpha, theta);
-      take(row.eq18, compute(Integral::visible_norm, material, o, asked), 1, alpha, theta);
-      take(row.eq36, compute(Integral::weak_furnace, material, o, asked), 1, alpha, theta);
-    }
-  }
-  for (Residual* residual : {&row.eq14, &row.eq18, &row.eq36}) judge(*residual, table.tolerance);
-  return row;
+const std::vector<PropertyInfo>& properties() {
+  static const std::vector<PropertyInfo> all = {
+      {Property::eq14, "eq14", "Eq. 14", "|projected area of the visible facets / cos theta_o - 1|"},
+      {Property::eq18, "eq18", "Eq. 18", "|integral of the visible normals - 1|"},
+      {Property::eq36, "eq36", "Eq. 36", "|weak white furnace of specular facets - 1|"},
+      {Property::eq37, "eq37", "Eq. 37", "|weak white furnace of diffuse facets - 1|"},
+      {Property::normalized, "normalized", "D normalized", "|integral of D cos theta_m - 1|"},
+      {Property::g1_range, "g1_range", "G1 in [0, 1]", "how far G1 is outside"},
+      {Property::g1_decreasing, "g1_decreasing", "G1 decreasing", "how much G1 grows in a step of theta_o"},
+      {Property::g1_normal, "g1_normal", "G1 = 1 at normal", "|G1 - 1| at the normal"},
+      {Property::stretch_invariance, "stretch_invariance", "stretch invariant",
+       "|change of G1| when the whole configuration is stretched"},
+      {Property::reciprocity, "reciprocity", "reciprocal", "|rho(o,i) - rho(i,o)| / (rho(o,i) + rho(i,o))"},
+      {Property::energy, "energy", "energy <= 1", "white furnace (F = 1) - 1, where it is above"},
+  };
+  return all;
 }
 
-std::vector<PropertyRow> measure_properties(const PropertyTableDescription& table) {
-  std::vector<PropertyRow> rows;
+const std::vector<Property>& table3_properties() {
+  static const std::vector<Property> all = {Property::eq14, Property::eq18, Property::eq36, Property::eq37};
+  return all;
+}
+
+std::vector<std::string> claim_names() {
+  std::vector<std::string> names = {"physically_based"};
+  for (const auto& info : properties()) names.push_back(info.name);
+  return names;
+}
+
+Verdict PropertyRow::physically_based() const {
+  Verdict verdict = Verdict::holds;
+  for (const Property property : table3_properties()) {
+    const auto found = residuals.find(property);
+    const Verdict one = found == residuals.end() ? Verdict::unknown : found->second.verdict;
+    if (one == Verdict::fails) return one;
+    if (one != Verdict::holds) verdict = Verdict::unknown;
+  }
+  return verdict;
+}
+
+Verdict PropertyRow::verdict(const std::string& claim) const {
+  if (claim == "physically_based") return physically_based();
+  const auto info = std::ranges::find(properties(), claim, &PropertyInfo::name);
+  const auto found = residuals.find(info->property);
+  return found == residuals.end() ? Verdict::unknown : found->second.verdict;
+}
+
+std::vector<double> PropertySearch::default_theta_o() {
+  std::vector<double> out;
+  for (const double degrees : {0, 15, 30, 45, 60, 75, 85, 89}) out.push_back(degrees * (std::acos(-1.0) / 180));
+  return out;
+}
+
+Residual measure(Property property, const std::vector<MaterialDescription>& family, const PropertySearch& search) {
+  WorstResidual worst(search.tolerance);
+  for (const MaterialDescription& member : family) {
+    const PropertySubject subject(member);
+    worst.at_alpha(subject.material.slopes().alpha_x);
+    try {
+      test_property(property, subject, search, worst);
+    } catch (const AccuracyError&) {
+      worst.take(std::numeric_limits<double>::quiet_NaN(), 0, 0, 0);
+    }
+  }
+  return worst.residual();
+}
+
+std::string describe(const ModelChoice& distribution) {
+  std::string parameters;
+  for (const auto& [key, value] : distribution.values.map())
+    parameters += (parameters.empty() ? "" : "; ") + key + " " + text_of(value);
+  return distribution.type + (parameters.empty() ? "" : " (" + parameters + ")");
+}
+
+PropertyFamily family_of(const MaterialDescription& material) {
+  return {material.name, describe(material.distribution), {material}};
+}
+
+std::vector<PropertyFamily> families(const PropertyTableDescription& table) {
+  std::vector<PropertyFamily> all;
   for (const auto& masking : table.maskings)
-    for (const auto& distribution : table.distributions)
-      rows.push_back(measure_properties(table, distribution, masking));
-  return rows;
+    for (const auto& distribution : table.distributions) {
+      PropertyFamily family{"", describe(distribution), {}};
+      MaterialDescription member;
+      member.name = family.label + " with " + masking;
+      member.distribution = distribution;
+      member.masking.type = masking;
+      if (!takes_alpha(distribution)) {
+        family.members.push_back(member);
+      } else {
+        for (const double alpha : table.alpha) {
+          member.distribution.values.set("alpha", alpha);
+          family.members.push_back(member);
+        }
+      }
+      all.push_back(std::move(family));
+    }
+  return all;
+}
+
+PropertyRow measure(const PropertyFamily& family, const std::vector<Property>& which, const PropertySearch& search) {
+  const MaterialDescription& first = family.members.at(0);
+  PropertyRow row{family.material, family.label, first.distribution.type, first.masking.type, {}};
+  for (const Property property : which) row.residuals[property] = measure(property, family.members, search);
+  return row;
 }
 
 } // namespace brdfplot

@@ -66,6 +66,16 @@ struct EntryRecord {
   std::vector<PropertyRow> rows; ///< tables: the residuals
 };
 
+/// A material's row with what it claims.
+struct CheckRecord {
+  std::string file; ///< none of the rows of a table
+  PropertyRow row;
+  std::vector<std::string> claims;
+};
+
+/// What `check --json` prints.
+std::string check_record(const std::vector<CheckRecord>& checked, double tolerance);
+
 /// The text of report.json.
 std::string report_record(const ReportFile& report, const std::string& version, const std::vector<EntryRecord>& entries,
                           double seconds);

@@ -25,7 +25,9 @@ ShapePtr material_shape(bool top) {
       {"fresnel", named("fresnel", [] { return model(specs_of<Fresnel>()); }), false,
        "Fresnel term; default none (F = 1)"},
       {"facet", choice(facet_names()), false,
-       "how a facet reflects; default specular. A diffuse one has no Fresnel term"}};
+       "how a facet reflects; default specular. A diffuse one has no Fresnel term"},
+      {"claims", array(choice(claim_names())), false,
+       "what `brdfplot check` has to find true: physically_based, or properties by name"}};
   if (top) return object(std::move(fields), true);
   return named("material", [fields] { return object(fields); });
 }
@@ -39,6 +41,7 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
   if (value.contains("shadowing")) material.shadowing = to_choice<Shadowing>(value["shadowing"]);
   if (value.contains("fresnel")) material.fresnel = to_choice<Fresnel>(value["fresnel"]);
   if (value.contains("facet")) material.facet = value["facet"].get<std::string>();
+  if (value.contains("claims")) material.claims = value["claims"].get<std::vector<std::string>>();
   try {
     build(material);
   } catch (const MaterialError& error) {

@@ -1,4 +1,5 @@
 #include "config/load.hpp"
+#include "config/model_json.hpp"
 #include "config/shapes.hpp"
 #include "math/errors.hpp"
 #include "microfacet/registry.hpp"
@@ -10,14 +11,30 @@ namespace brdfplot::config {
 
 namespace {
 
+/// Distributions with any of their parameters: a table adds the roughness, and building tells what is missing then.
+std::vector<ModelSpec> without_requirements() {
+  auto specs = specs_of<Distribution>();
+  for (auto& spec : specs) {
+    spec.alternatives.clear();
+    for (auto& parameter : spec.parameters)
+      if (!parameter.fallback) parameter.fallback = 0.0;
+  }
+  return specs;
+}
+
 ShapePtr table_shape() {
   return named("table", [] {
     return object({{"id", file_stem(), true, "name of its files"},
                    {"title", text(), true, "above the table"},
                    {"caption", text(), true, "what it shows"},
                    {"maskings", array(choice(names_of(specs_of<Masking>())), 1), true, "masking functions, in order"},
-                   {"distributions", array(choice(names_of(specs_of<Distribution>())), 1), true, "distributions"},
-                   {"alpha", array(number({.min = 0, .open_min = true}), 1), true, "roughnesses tried"},
+                   {"distributions",
+                    array(either({choice(names_of(specs_of<Distribution>())),
+                                  named("row_distribution", [] { return model(without_requirements()); })}),
+                          1),
+                    true, "distributions, by name or with their parameters"},
+                   {"alpha", array(number({.min = 0, .open_min = true}), 1), true,
+                    "roughnesses tried of each distribution that has none of its own"},
                    {"theta_o", array(angle(), 1), true, "angles of the viewer tried"},
                    {"tolerance", number({.min = 1e-12, .max = 1e-1}), false, "a residual up to this counts as zero"}});
   });
@@ -25,18 +42,25 @@ ShapePtr table_shape() {
 
 /// Tells what building would: a distribution that a roughness alone does not define, one out of its bounds.
 void check_models(const PropertyTableDescription& table, const JsonFile& file, const std::string& pointer) {
-  for (std::size_t d = 0; d < table.distributions.size(); ++d)
-    for (const double alpha : table.alpha) {
-      MaterialDescription material;
-      material.distribution.type = table.distributions[d];
-      material.distribution.values.set("alpha", alpha);
+  const auto rows = families(table);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const std::size_t columns = table.distributions.size();
+    const std::string distribution = "/distributions/" + std::to_string(row % columns);
+    const std::string masking = "/maskings/" + std::to_string(row / columns);
+    for (const auto& member : rows[row].members) {
       try {
-        build(material);
+        build(member);
       } catch (const MaterialError& error) {
-        file.fail(pointer + "/distributions/" + std::to_string(d),
-                  "\"" + table.distributions[d] + "\" with alpha alone: " + error.reason());
+        if (error.pointer().starts_with("/masking")) file.fail(pointer + masking, error.reason());
+        file.fail(pointer + distribution,
+                  "\"" + table.distributions[row % columns].type + "\" with alpha alone: " + error.reason());
       }
     }
+  }
+}
+
+ModelChoice read_distribution(const Json& value) {
+  return value.is_string() ? ModelChoice{value.get<std::string>(), {}} : to_choice<Distribution>(value);
 }
 
 PropertyTableDescription read_table(const Json& value) {
@@ -45,15 +69,12 @@ PropertyTableDescription read_table(const Json& value) {
   table.title = value["title"].get<std::string>();
   table.caption = value["caption"].get<std::string>();
   table.maskings = value["maskings"].get<std::vector<std::string>>();
-  table.distributions = value["distributions"].get<std::vector<std::string>>();
+  for (const Json& distribution : value["distributions"])
+    table.distributions.push_back(read_distribution(distribution));
   table.alpha = value["alpha"].get<std::vector<double>>();
   for (const Json& theta : value["theta_o"]) table.theta_o.push_back(to_number(theta));
   table.tolerance = value.value("tolerance", table.tolerance);
   return table;
-}
-
-Json residual_json(const Residual& residual) {
-  return {{"max_residual", residual.max_residual}, {"holds", residual.verdict == Verdict::holds}};
 }
 
 } // namespace
@@ -137,13 +158,7 @@ std::string report_record(const ReportFile& report, const std::string& version, 
   Json list = Json::array();
   for (const auto& entry : entries) {
     Json one = {{"id", entry.id}, {"kind", entry.kind}, {"files", entry.files}, {"seconds", entry.seconds}};
-    for (const auto& row : entry.rows)
-      one["rows"].push_back({{"distribution", row.distribution},
-                             {"masking", row.masking},
-                             {"eq14", residual_json(row.eq14)},
-                             {"eq18", residual_json(row.eq18)},
-                             {"eq36", residual_json(row.eq36)},
-                             {"physically_based", row.physically_based()}});
+    for (const auto& row : entry.rows) one["rows"].push_back(property_row(row));
     list.push_back(std::move(one));
   }
   return Json{{"report", report.id},

@@ -5,6 +5,7 @@
 #include "config/json_file.hpp"
 #include "config/schema.hpp"
 
+#include "analysis/properties.hpp"
 #include "brdf/material.hpp"
 
 namespace brdfplot::config {
@@ -18,6 +19,9 @@ ShapePtr scene_shape();
 /// A material at `pointer` of `file`, which has been checked against material_shape. Built once, so that what only
 /// building finds (two alternatives at once, shadowing that masking does not allow) is told with its place.
 MaterialDescription read_material(const JsonFile& file, const Json& value, const std::string& pointer);
+
+/// A row of a table of properties, as report.json and `check --json` have it.
+Json property_row(const PropertyRow& row);
 
 /// A number or an angle with a unit.
 double to_number(const Json& value);

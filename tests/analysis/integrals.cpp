@@ -1,6 +1,5 @@
 #include "analysis/integrals.hpp"
 #include "../materials.hpp"
-#include "analysis/properties.hpp"
 #include "math/quadrature.hpp"
 
 #include <doctest/doctest.h>
@@ -215,17 +214,4 @@ TEST_CASE("Appendix C's grid agrees with the integral where the surface is rough
 TEST_CASE("below the horizon integrals are 0, and an accuracy that cannot be reached is an error") {
   CHECK(compute(Integral::albedo, material("ggx", 0.5), from_angles(1.7, 0)).value == 0);
   CHECK_THROWS_AS(compute_or_throw(Integral::albedo, material("ggx", 0.5), from_angles(1, 0), 1e-30), AccuracyError);
-}
-
-TEST_CASE("Table 3: Smith and V-cavities hold, the three others fail, from residuals") {
-  PropertyTableDescription table;
-  table.maskings = {"smith", "v_cavity", "implicit", "schlick_smith", "kelemen"};
-  table.distributions = {"beckmann", "ggx"};
-  table.alpha = {0.1, 0.6};
-  table.theta_o = {0.3, 1.2, 1.5};
-  for (const PropertyRow& row : measure_properties(table)) {
-    INFO(row.masking << ", " << row.distribution);
-    CHECK(row.physically_based() == (row.masking == "smith" || row.masking == "v_cavity"));
-    for (const Residual& residual : {row.eq14, row.eq18, row.eq36}) CHECK(residual.verdict != Verdict::unknown);
-  }
 }

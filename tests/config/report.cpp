@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -24,7 +25,7 @@ std::vector<std::string> files_in(const std::string& directory) {
 }
 
 constexpr const char* table = R"("table": {"id": "t", "title": "", "caption": "", "maskings": ["smith", "kelemen"],
-  "distributions": ["ggx"], "alpha": [0.5], "theta_o": ["45deg", 1]})";
+  "distributions": ["ggx", {"type": "gtr", "gamma": 3}], "alpha": [0.5], "theta_o": ["45deg", 1]})";
 
 constexpr const char* figure = R"({"id": "f", "kind": "lines", "title": "", "caption": "", "x": {"variable": "theta_m",
   "from": 0, "to": 1}, "material": {"distribution": {"type": "ggx", "alpha": 1}},
@@ -66,6 +67,9 @@ TEST_CASE("reports: figures and tables in order, figures relative to the manifes
   CHECK(report.entries[1].section == "two");
   const auto& description = std::get<PropertyTableDescription>(report.entries[1].what);
   CHECK(description.maskings == std::vector<std::string>{"smith", "kelemen"});
+  REQUIRE(description.distributions.size() == 2);
+  CHECK(description.distributions[0].type == "ggx");
+  CHECK(description.distributions[1].values.number("gamma") == 3);
   CHECK(description.theta_o == std::vector<double>{45.0 / 180 * 3.14159265358979323846, 1});
   CHECK(description.tolerance == 1e-6);
   CHECK(nlohmann::json::parse(report.entries[1].json)["id"] == "t");
@@ -110,6 +114,7 @@ TEST_CASE("reports: errors") {
       {with_table("0.5", "0"), "r.json: /entries/0/table/alpha/0: found 0, accepted: a number > 0"},
       {with_table("\"45deg\"", "\"45°\""), "r.json: /entries/0/table/theta_o/0: found \"45°\""},
       {with_table("\"ggx\"", "\"ggx\", \"gtr\""), "/entries/0/table/distributions/1: \"gtr\" with alpha alone: "},
+      {with_table("\"smith\"", "\"smith\", \"custom\""), "/entries/0/table/maskings/1: \"custom\" lacks"},
       {R"({"title": "T", "entries": [{"section": "s", "figure": "f.json"}, {"section": "s", "figure": "f.json"}]})",
        "r.json: /entries/1: the id \"f\" stands twice"},
   };
@@ -139,7 +144,13 @@ TEST_CASE("schemas: one for each kind") {
 
 TEST_CASE("the record of a report") {
   const config::ReportFile report{"id", "T", "", {}};
-  const PropertyRow row{"ggx", "smith", {1e-9, 0, 0, 0, Verdict::holds}, {}, {0.5, 0, 0, 0, Verdict::fails}};
+  const PropertyRow row{"",
+                        "ggx",
+                        "ggx",
+                        "smith",
+                        {{Property::eq14, {1e-9, 0, 0, 0, 0, Verdict::holds}},
+                         {Property::eq36, {0.5, 0, 0, 0, 0, Verdict::fails}},
+                         {Property::energy, {std::nan(""), 0, 0, 0, 0, Verdict::unknown}}}};
   const auto json = nlohmann::json::parse(
       config::report_record(report, "1.2", {{"f", "figure", {"f.svg"}, 0.25, {}}, {"t", "table", {}, 1, {row}}}, 2));
   CHECK(json["version"] == "1.2");
@@ -147,4 +158,6 @@ TEST_CASE("the record of a report") {
   CHECK(json["entries"][1]["rows"][0]["eq14"]["holds"] == true);
   CHECK(json["entries"][1]["rows"][0]["eq36"]["max_residual"] == 0.5);
   CHECK(json["entries"][1]["rows"][0]["physically_based"] == false);
+  CHECK(json["entries"][1]["rows"][0]["energy"]["max_residual"].is_null());
+  CHECK(json["entries"][1]["rows"][0]["energy"]["verdict"] == "unknown");
 }
