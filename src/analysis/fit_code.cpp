@@ -256,7 +256,7 @@ std::vector<std::string> describe(const FitResult& result, double tolerance) {
   lines.push_back("G1: relative error " + rounded_text(result.relative.error, 3) + " at " + place(result) +
                   " (asked: " + format_number(tolerance) + "), absolute error " + rounded_text(result.absolute, 3));
   lines.push_back("Lambda: relative error " + rounded_text(result.lambda_error, 3) + " where Lambda >= 0.01");
-  lines.push_back("proved: no pole, G1 in [0, 1] and increasing with cos(theta)");
+  lines.emplace_back("proved: no pole, G1 in [0, 1] and increasing with cos(theta)");
   lines.push_back("cost of G1: " + std::to_string(cost.operations) + " multiply-adds and " +
                   std::to_string(cost.divisions) + " divisions, from cos(theta) and " +
                   (target.alpha == FitAlpha::constant ? "sin(theta)" : "alpha sin(theta)") + " on");

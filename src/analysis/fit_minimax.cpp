@@ -198,7 +198,7 @@ std::optional<LambdaFit> fit_within(double tolerance, const RationalForm& form, 
   for (int round = 0; round < 12; ++round) {
     const Maximin solution = maximin(rows);
     if (!(solution.value > 0)) return std::nullopt;
-    const auto fit = as_fit(form, solution.v);
+    auto fit = as_fit(form, solution.v);
     if (!fit) return std::nullopt;
     const auto worst = violations(*fit, samples, tolerance);
     if (worst.empty()) return fit;
