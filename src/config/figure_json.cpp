@@ -169,6 +169,7 @@ private:
         out.series.push_back({substituted(one.value("label", ""), inner.words), expression(one, at, inner), ramp});
       });
     }
+    if (object.contains("compare_to")) out.compare_to = compared(object["compare_to"], pointer, scope, out);
     if (heatmap && out.series.size() != 1) file_.fail(pointer + "/series", "a heat map has one series");
     if (!heatmap && object.contains("contours")) file_.fail(pointer + "/contours", "only a heat map has contours");
     if (kind_ != plot::Kind::polar && object.contains("arrows"))
@@ -179,6 +180,21 @@ private:
     const Json arrows = object.value("arrows", Json::array());
     for (const auto& arrow : arrows) out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, pointer));
     return out;
+  }
+
+  /// `compare_to` of a panel.
+  plot::Term compared(const Json& object, const std::string& pointer, const Scope& scope,
+                      const plot::PanelDescription& panel) {
+    const std::string at = step(pointer, "compare_to");
+    const Expression reference = expression(object, at, scope);
+    const bool lobe = reference.operation == Expression::Operation::term && reference.term.simulate &&
+                      reference.term.simulate->source == "surface" && reference.term.quantity == "brdf_cos";
+    if (kind_ != plot::Kind::polar || panel.x.column != "theta_i" || !lobe)
+      file_.fail(at, "accepted: in a polar plot over theta_i, \"brdf_cos\" simulated by \"surface\"");
+    const Expression& first = panel.series.at(0).value;
+    if (first.operation != Expression::Operation::term || first.term.simulate)
+      file_.fail(at, "the first series is no computed quantity");
+    return reference.term;
   }
 
   plot::Arrow to_arrow(const std::string& name, const Scope& scope, const std::string& pointer) {

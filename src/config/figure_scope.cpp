@@ -39,6 +39,9 @@ plot::Simulate read_simulate(const Json& value) {
   out.facets = value.value("facets", out.facets);
   out.paths = value.value("paths", out.paths);
   out.seed = value.value("seed", out.seed);
+  out.realisations = value.value("realisations", out.realisations);
+  out.cells = value.value("cells", out.cells);
+  if (value.contains("half_width")) out.half_width = to_number(value["half_width"]);
   out.samples = value.value("samples", out.samples);
   return out;
 }

@@ -40,12 +40,18 @@ ShapePtr simulate() {
   std::vector<std::string> sources;
   for (const auto* source : plot::simulation_sources()) sources.push_back(source->name());
   return named("simulate", [sources] {
-    return object({{"source", choice(sources), true, "what simulates: smith_walk, the random walk on Smith's surface"},
+    return object({{"source", choice(sources), true,
+                    "smith_walk: the random walk on Smith's surface; surface: rays on random surfaces"},
                    {"bounces", choice({"1", "2", "3", "4", "2+", "all"}), false, "of which bounces; default all"},
                    {"facets", choice({"conductor", "dielectric", "diffuse"}), false,
                     "smith_walk: what a facet does with light; default conductor"},
                    {"paths", whole_number(1, 1000000000), false, "how many at each point; default 100000"},
                    {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"},
+                   {"realisations", whole_number(2, 10000), false,
+                    "surface: independent surfaces that share the paths; default 8"},
+                   {"cells", whole_number(64, 8192), false, "surface: along each side; default 512"},
+                   {"half_width", angle(), false,
+                    "surface, brdf_cos: directions so far from the plane of incidence count as in it; default 5°"},
                    {"samples", whole_number(2, 10000), false, "points along x; default 61"}});
   });
 }
@@ -54,7 +60,7 @@ std::vector<Field> expression_fields() {
   return {{"quantity", text(), false, "what is evaluated: see brdfplot list quantities"},
           {"simulate", simulate(), false,
            "the quantity is simulated, with its standard error; smith_walk: brdf_cos, albedo, transmittance, "
-           "mean_fresnel"},
+           "mean_fresnel; surface: brdf_cos, albedo, g1, g2, direction_factor"},
           {"ratio", array(expression(), 2, 2), false, "first over second"},
           {"difference", array(expression(), 2, 2), false, "first minus second"},
           {"absolute", expression(), false, "absolute value"},
@@ -85,6 +91,8 @@ ShapePtr panel() {
          {"material", material_or_name(), false, "of the series that name none"},
          {"at", settings(), false, "what is fixed for all series"},
          {"series", array(series(), 1), true, "what is drawn"},
+         {"compare_to", expression(), false,
+          "polar: a lobe simulated by \"surface\", with which that of the first series is compared in numbers"},
          {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1), false,
           "polar: directions to draw; mirror is the mirror direction of omega_o"},
          {"contours", array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1),

@@ -1,4 +1,5 @@
 #include "math/errors.hpp"
+#include "plot/compare.hpp"
 #include "plot/contour.hpp"
 #include "plot/description.hpp"
 #include "plot/evaluator.hpp"
@@ -173,6 +174,12 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
     series.style = styles.of(series.label);
     series.ramp = description.series[k].ramp;
   }
+  if (!description.compare_to) return;
+  naming(place(figure, description, 0), [&] {
+    const SimulatedTerm simulated(*description.compare_to, {description.x.column});
+    panel.notes = compare_lobes(description.series[0].value.term, simulated, simulated_points(description, simulated),
+                                figure.tolerance, simulator.store, simulator.threads);
+  });
 }
 
 void fill_heatmap(const FigureDescription& figure, const PanelDescription& description, Panel& panel) {
@@ -203,7 +210,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 {}};
   Styles styles;
   for (const auto& from : description.panels) {
-    Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}};
+    Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}, {}};
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
     } else {
@@ -221,24 +228,34 @@ Figure compute(const FigureDescription& description) {
 
 std::vector<SimulationTask> simulations(const FigureDescription& description) {
   std::vector<SimulationTask> tasks;
-  if (description.kind == Kind::heatmap) return tasks;
   std::set<std::string> keys;
-  for (const auto& panel : description.panels)
+  const auto add = [&](const SimulatedTerm& term, const std::vector<double>& x, const std::string& where) {
+    for (auto& job : term.jobs(x)) {
+      if (!keys.insert(job.key).second) continue;
+      const std::string key = job.key;
+      auto run = [term, job = std::move(job)](simulation::Store& store, int threads) {
+        store.get(job.key, [&] { return term.run(job, threads); });
+      };
+      tasks.push_back({key, where, std::move(run)});
+    }
+  };
+  if (description.kind == Kind::heatmap) return tasks;
+  for (const auto& panel : description.panels) {
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const std::string where = place(description, panel, k);
       naming(where, [&] {
         const Evaluator evaluator(panel.series[k].value, {panel.x.column}, description.tolerance);
         for (const SimulatedTerm* term : evaluator.simulated())
-          for (auto& job : term->jobs(simulated_points(panel, *evaluator.simulated().front()))) {
-            if (!keys.insert(job.key).second) continue;
-            const std::string key = job.key;
-            auto run = [term = *term, job = std::move(job)](simulation::Store& store, int threads) {
-              store.get(job.key, [&] { return term.run(job, threads); });
-            };
-            tasks.push_back({key, where, std::move(run)});
-          }
+          add(*term, simulated_points(panel, *evaluator.simulated().front()), where);
       });
     }
+    if (!panel.compare_to) continue;
+    const std::string where = place(description, panel, 0);
+    naming(where, [&] {
+      const SimulatedTerm term(*panel.compare_to, {panel.x.column});
+      add(term, simulated_points(panel, term), where);
+    });
+  }
   return tasks;
 }
 

@@ -33,8 +33,9 @@ std::string field(std::string_view label) {
 
 bool has_errors(const Figure& figure) {
   const auto simulated = [](const Series& series) { return !series.error.empty(); };
-  return std::ranges::any_of(figure.panels,
-                             [&](const Panel& panel) { return std::ranges::any_of(panel.series, simulated); });
+  return std::ranges::any_of(figure.panels, [&](const Panel& panel) {
+    return !panel.notes.empty() || std::ranges::any_of(panel.series, simulated);
+  });
 }
 
 void append_header(std::string& out, const Figure& figure) {
@@ -74,6 +75,16 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
   }
 }
 
+void append_notes(std::string& out, const Panel& panel) {
+  for (const Note& note : panel.notes) {
+    out += field(panel.title) + "," + field(note.label) + ",,";
+    append_number(out, note.value);
+    out += ',';
+    append_number(out, note.error);
+    out += '\n';
+  }
+}
+
 void append_grid(std::string& out, const std::string& title, const Grid& grid) {
   const std::size_t width = grid.x.size();
   for (std::size_t i = 0; i < std::min(grid.value.size(), width * grid.y.size()); ++i) {
@@ -108,6 +119,7 @@ std::string to_csv(const Figure& figure) {
   for (const auto& panel : figure.panels) {
     if (figure.kind != Kind::heatmap) {
       append_series(out, panel, errors);
+      append_notes(out, panel);
     } else if (panel.grid) {
       append_grid(out, field(panel.title), *panel.grid);
     }

@@ -35,7 +35,10 @@ struct Simulate {
   std::string facets = "conductor";
   std::size_t paths = 100000;
   std::uint64_t seed = 1;
-  int samples = 61; ///< evenly spaced points along x
+  int realisations = 8;       ///< surface: independent surfaces, among which the paths are shared
+  int cells = 512;            ///< surface: along each side
+  double half_width = 0.0873; ///< surface, brdf_cos: directions so far from the plane of incidence count as in it (rad)
+  int samples = 61;           ///< evenly spaced points along x
 };
 
 /// A quantity of a material (see quantities() and integrals(), and simulated.hpp), with what is fixed.
@@ -73,6 +76,7 @@ struct PanelDescription {
   int samples = 0;           ///< evenly spaced points along x; 0: where the curve bends (see sampling.hpp)
   std::optional<Axis> value; ///< heat map: the value of series[0]
   std::vector<ContourDescription> contours;
+  std::optional<Term> compare_to; ///< a simulated lobe with which series[0] is compared: see compare.hpp
 };
 
 struct FigureDescription {

@@ -53,6 +53,14 @@ struct Arrow {
   bool incoming = false;
 };
 
+/// A number about a panel, drawn under its title.
+struct Note {
+  std::string text;  ///< drawn, with markup
+  std::string label; ///< in the CSV
+  double value = 0;
+  double error = 0; ///< standard error
+};
+
 /// Values on a grid, row-major with x fastest: value[iy * x.size() + ix]. Cell centres are (x[ix], y[iy]).
 struct Grid {
   std::vector<double> x;
@@ -79,6 +87,7 @@ struct Panel {
   std::optional<Axis> value;     ///< heat map only: the colour bar
   std::optional<Grid> grid;      ///< heat map only
   std::vector<Contour> contours; ///< heat map only
+  std::vector<Note> notes{};
 };
 
 /// Which panels share the range of their value axis where it is automatic.

@@ -39,7 +39,7 @@ const SimulationSource& source_named(const std::string& name) {
 } // namespace
 
 const std::vector<const SimulationSource*>& simulation_sources() {
-  static const std::vector<const SimulationSource*> all = {&smith_walk_source()};
+  static const std::vector<const SimulationSource*> all = {&smith_walk_source(), &surface_source()};
   return all;
 }
 
@@ -79,15 +79,26 @@ std::vector<SimulatedTerm::Job> SimulatedTerm::jobs(const std::vector<double>& x
   return jobs;
 }
 
-std::vector<simulation::Measured> SimulatedTerm::measure(const std::vector<double>& x, simulation::Store& store,
-                                                         int threads) const {
-  std::vector<simulation::Measured> out(x.size());
+simulation::Estimates SimulatedTerm::estimates(const std::vector<double>& x, simulation::Store& store,
+                                               int threads) const {
+  simulation::Estimates out{x.size(), {}};
   for (const Job& job : jobs(x)) {
     const auto result = store.get(job.key, [&] { return run(job, threads); });
-    const simulation::Estimates& estimates = result->at(source_->output(term_));
-    for (std::size_t k = 0; k < job.indices.size(); ++k)
-      out[job.indices[k]] = estimates.at(estimates.points == 1 ? 0 : k);
+    const simulation::Estimates& from = result->at(source_->output(term_));
+    out.values.resize(std::max(out.values.size(), from.count() * x.size()), 0);
+    if (from.count() != out.count()) throw InputError("", "the points have different numbers of estimates");
+    for (std::size_t e = 0; e < from.count(); ++e)
+      for (std::size_t k = 0; k < job.indices.size(); ++k)
+        out.values[e * x.size() + job.indices[k]] = from.values[e * from.points + (from.points == 1 ? 0 : k)];
   }
+  return out;
+}
+
+std::vector<simulation::Measured> SimulatedTerm::measure(const std::vector<double>& x, simulation::Store& store,
+                                                         int threads) const {
+  const simulation::Estimates all = estimates(x, store, threads);
+  std::vector<simulation::Measured> out;
+  for (std::size_t k = 0; k < x.size(); ++k) out.push_back(all.at(k));
   return out;
 }
 

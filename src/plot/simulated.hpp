@@ -58,6 +58,10 @@ public:
   std::vector<Job> jobs(const std::vector<double>& x) const;
   simulation::Result run(const Job& job, int threads) const { return source_->run(term_, job.points, threads); }
 
+  /// The independent estimates of measure(). \throws InputError where the points have different numbers of them.
+  simulation::Estimates estimates(const std::vector<double>& x, simulation::Store& store, int threads) const;
+
+  const Simulate& simulate() const { return *term_.simulate; }
   int samples() const { return term_.simulate->samples; }
   bool is_binned() const { return source_->is_binned(term_); }
 
@@ -72,5 +76,9 @@ private:
 /// The random walk on Smith's surface: brdf_cos, albedo, transmittance and mean_fresnel by bounce
 /// (simulation/walk.hpp).
 const SimulationSource& smith_walk_source();
+
+/// Rays on random surfaces: brdf_cos in the plane of incidence, albedo, g1, g2, and direction_factor, the lambda of Eq.
+/// 101 of Heitz 2014 that the measured G1 and G2 imply (simulation/simulate.hpp).
+const SimulationSource& surface_source();
 
 } // namespace brdfplot::plot

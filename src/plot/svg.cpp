@@ -47,7 +47,10 @@ void append_style(std::string& out, const FigurePlan& plan) {
 }
 
 void draw_head(SvgWriter& svg, const PanelPlan& panel) {
-  svg.lines({panel.plot.x + panel.plot.w / 2, panel.title_top}, panel.title, Anchor::middle);
+  const double middle = panel.plot.x + panel.plot.w / 2;
+  svg.lines({middle, panel.title_top}, panel.title, Anchor::middle);
+  const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
+  svg.lines({middle, panel.title_top + title}, panel.note, Anchor::middle, "bp-muted");
   draw_legend(svg, panel.legend, {panel.plot.x - panel.insets.left + 4, panel.legend_top});
 }
 

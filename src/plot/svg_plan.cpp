@@ -59,7 +59,17 @@ void plan_swept(const Panel& panel, Kind kind, PanelPlan& plan) {
   plan.x = swept_range(panel.x, x);
 }
 
-double title_height(const PanelPlan& panel) { return panel.title.lines.empty() ? 0 : panel.title.height() + 4; }
+double title_height(const PanelPlan& panel) {
+  const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
+  return title + (panel.note.lines.empty() ? 0 : panel.note.height() + 2);
+}
+
+/// "distance 3 %, mean +1°"
+std::string notes_line(const Panel& panel) {
+  std::string line;
+  for (const Note& note : panel.notes) line += (line.empty() ? "" : ", ") + note.text;
+  return line;
+}
 
 /// Aligns the titles, legends and plots of a row that begins at `y`; gives its height.
 double place_row(std::span<PanelPlan> row, double y) {
@@ -150,6 +160,7 @@ FigurePlan plan_figure(const Figure& figure) {
     auto& panel = plan.panels[i];
     const double room = panel.plot.w + panel.insets.left + panel.insets.right - 8;
     panel.title = fit_text(panel.panel->title, font::panel_title, room, 2, true);
+    panel.note = fit_text(notes_line(*panel.panel), font::tick, room, 2);
     panel.legend = lay_out_legend(legend.own[i], room);
   }
   double y = page_margin + (plan.title.lines.empty() ? 0 : plan.title.height() + 6);

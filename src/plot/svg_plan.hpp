@@ -46,6 +46,7 @@ struct PanelPlan {
   Ticks y_ticks;
   Ticks value_ticks;
   FittedText title;
+  FittedText note; ///< the notes, in a line under the title
   FittedText x_title;
   FittedText y_title;
   FittedText value_title;

@@ -145,8 +145,8 @@ std::string canonical_text(const SceneDescription& scene) {
   for (const MeasureDescription& m : scene.measures)
     text += m.type + " theta_o=" + text_of(m.theta_o) + " phi_o=" + text_of(m.phi_o) +
             " theta_i=" + text_of(m.theta_i) + " delta_phi=" + text_of(m.delta_phi) +
-            " bins=" + std::to_string(m.bins) + " bounces=" + std::to_string(m.bounces) +
-            " rays=" + format_number(m.rays) + "\n";
+            " half_width=" + format_number(m.half_width) + " bins=" + std::to_string(m.bins) +
+            " bounces=" + std::to_string(m.bounces) + " rays=" + format_number(m.rays) + "\n";
   return text;
 }
 

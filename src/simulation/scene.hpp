@@ -19,6 +19,7 @@ struct MeasureDescription {
   std::vector<double> phi_o{0};    ///< rad
   std::vector<double> theta_i{};   ///< g2 (rad); empty: theta_o
   std::vector<double> delta_phi{}; ///< g2: azimuths between omega_o and omega_i (rad)
+  double half_width = 0.0873;      ///< lobe: how far from the plane of incidence a direction may be (rad)
   int bins = 0;                    ///< of tables that have bins; 0: the type's own number
   int bounces = 32;                ///< of paths: the energy left after so many is counted as `left`
   double rays = 1e6;               ///< points, or paths, for every direction, over all realisations

@@ -130,3 +130,30 @@ TEST_CASE("differences and ratios of simulated terms carry their errors") {
   CHECK(out[2].error[3] == doctest::Approx(std::hypot(out[0].error[3], out[1].error[3])).epsilon(1e-12));
   CHECK(std::fabs(out[3].y[3] - 1) < 4 * out[3].error[3]);
 }
+
+TEST_CASE("a lobe is compared in numbers with rays on surfaces") {
+  Term rays{"brdf_cos", describe("beckmann", 1), {{"theta_o", 1.5}}, Simulate{}};
+  rays.simulate->source = "surface";
+  rays.simulate->bounces = "1";
+  rays.simulate->paths = 40000;
+  rays.simulate->realisations = 4;
+  rays.simulate->cells = 128;
+  rays.simulate->samples = 18;
+  const auto compared = [&](const std::string& masking) {
+    Term lobe{"brdf_cos", describe("beckmann", 1, masking), {{"theta_o", 1.5}}, {}};
+    auto description = figure("theta_i", -std::numbers::pi / 2, std::numbers::pi / 2, {lobe}, Kind::polar);
+    description.panels[0].compare_to = rays;
+    CHECK(simulations(description).size() == 1);
+    const Figure out = compute(description);
+    CHECK(to_csv(out).find(",distance,,") != std::string::npos);
+    CHECK(to_svg(out).find("distance") != std::string::npos);
+    return out.panels.at(0).notes;
+  };
+  // Heitz 2014, Fig. 11: Smith's lobe is the one that rays find; the V-cavity's stays low, away from the viewer.
+  const auto smith = compared("smith"), v_cavity = compared("v_cavity");
+  REQUIRE(smith.size() == 2);
+  for (const Note& note : smith) CHECK(note.error > 0);
+  CHECK(smith[0].value + 5 * smith[0].error < v_cavity[0].value);
+  CHECK(v_cavity[1].value < -10 * degree);
+  CHECK(std::fabs(smith[1].value) < 10 * degree);
+}

@@ -38,7 +38,8 @@ protected:
 class Lobe : public PathMeasure {
 public:
   explicit Lobe(const MeasureDescription& description)
-      : PathMeasure(description), bins_(static_cast<std::size_t>(description.bins)) {}
+      : PathMeasure(description), bins_(static_cast<std::size_t>(description.bins)),
+        sin_half_width_(std::sin(description.half_width)) {}
   std::size_t width() const override { return 2 * bins_ + 1; }
 
   void sample(std::size_t task, const Tile& tile, double count, Random& random, std::span<double> sums,
@@ -48,7 +49,7 @@ public:
     const auto paths = for_paths(tile, count, view.omega, bounces_, random, counts, [&](const PathEnd& end) {
       const double along = cos_phi * end.omega_i.x + sin_phi * end.omega_i.y;
       const double across = cos_phi * end.omega_i.y - sin_phi * end.omega_i.x;
-      if (!end.escaped || std::fabs(across) > sin_half_width || !(end.omega_i.z > 0)) return;
+      if (!end.escaped || std::fabs(across) > sin_half_width_ || !(end.omega_i.z > 0)) return;
       const double place = (std::atan2(along, end.omega_i.z) / std::numbers::pi + 0.5) * static_cast<double>(bins_);
       const std::size_t bin = std::min(static_cast<std::size_t>(place), bins_ - 1);
       sums[2 * bin + (end.bounces > 1 ? 1 : 0)] += tile.weight;
@@ -60,7 +61,7 @@ public:
     Table table{
         id_, "lobe", {"theta_o", "phi_o", "theta_i", "brdf_cos", "brdf_cos_stderr", "multiple", "multiple_stderr"}, {}};
     // The area of the wedge between two angles: (their difference) int cos b db, b the angle to the plane.
-    const double solid_angle = std::numbers::pi / static_cast<double>(bins_) * 2 * sin_half_width;
+    const double solid_angle = std::numbers::pi / static_cast<double>(bins_) * 2 * sin_half_width_;
     for (std::size_t task = 0; task < tallies.size(); ++task)
       for (std::size_t bin = 0; bin < bins_; ++bin) {
         const double theta = std::numbers::pi * ((static_cast<double>(bin) + 0.5) / static_cast<double>(bins_) - 0.5);
@@ -73,9 +74,8 @@ public:
   }
 
 private:
-  /// About 5 degrees, narrow beside every lobe that is not a mirror's.
-  static constexpr double sin_half_width = 0.0872;
   std::size_t bins_;
+  double sin_half_width_;
 };
 
 class Hemisphere : public PathMeasure {
