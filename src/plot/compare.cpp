@@ -72,7 +72,7 @@ double mean_angle(const std::vector<double>& theta, const std::vector<double>& f
   return sum / all;
 }
 
-/// "1.2 ± 0.3", with as many decimals as the error needs.
+/// "1.2 ± 0.3", its blanks such that no line is broken there, with as many decimals as the error needs.
 std::string with_error(const Measured& measured, double unit, bool sign) {
   const double value = measured.value / unit, error = measured.standard_error / unit;
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(std::max(error, 1e-3)))), 0, 2);
@@ -82,7 +82,7 @@ std::string with_error(const Measured& measured, double unit, bool sign) {
     return std::string(buffer.data(), end.ptr);
   };
   const std::string head = value < 0 ? "−" : sign ? "+" : "";
-  return head + fixed(std::fabs(value)) + " ± " + fixed(error);
+  return head + fixed(std::fabs(value)) + "\u00a0±\u00a0" + fixed(error);
 }
 
 } // namespace
@@ -94,9 +94,10 @@ std::vector<Note> compare_lobes(const Term& lobe, const SimulatedTerm& simulated
   const Measured apart = jackknife(g, [&](const std::vector<double>& mean) { return distance(f, mean); });
   const Measured shift =
       jackknife(g, [&](const std::vector<double>& mean) { return mean_angle(theta_i, f) - mean_angle(theta_i, mean); });
-  return {{"distance " + with_error(apart, 0.01, false) + " %", "distance", apart.value, apart.standard_error},
-          {"mean " + with_error(shift, std::numbers::pi / 180, true) + " °", "shift of the mean theta_i", shift.value,
-           shift.standard_error}};
+  return {
+      {"distance\u00a0" + with_error(apart, 0.01, false) + "\u00a0%", "distance", apart.value, apart.standard_error},
+      {"mean\u00a0" + with_error(shift, std::numbers::pi / 180, true) + "°", "shift of the mean theta_i", shift.value,
+       shift.standard_error}};
 }
 
 } // namespace brdfplot::plot
