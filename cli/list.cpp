@@ -78,6 +78,8 @@ std::string accepted(const ParameterSpec& parameter) {
   case ParameterKind::vec2: return "[x, y], each " + parameter.bounds.describe();
   case ParameterKind::choice: return joined(parameter.choices, " | ");
   case ParameterKind::text: return "a text";
+  case ParameterKind::components:
+    return "[{\"weight\": " + parameter.bounds.describe() + ", \"distribution\": any but a mixture}, ...]";
   case ParameterKind::formula: return "a formula of " + joined(parameter.choices, ", ");
   }
   return {};
@@ -91,6 +93,7 @@ std::string text_of(const std::array<double, N>& numbers) {
 }
 std::string text_of(double number) { return format_number(number); }
 std::string text_of(const std::string& text) { return text; }
+std::string text_of(const Components& components) { return std::to_string(components.size()) + " components"; }
 
 /// "default 1", "required", or nothing for what is one of several alternatives.
 std::string need(const ModelSpec& spec, const ParameterSpec& parameter) {

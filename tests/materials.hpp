@@ -64,6 +64,21 @@ inline MaterialDescription distribution(const std::string& type,
   return description;
 }
 
+inline MaterialDescription custom(const std::string& shape, double alpha) {
+  MaterialDescription description = describe("custom", alpha);
+  description.distribution.values.set("shape", shape);
+  description.name = "custom " + shape;
+  return description;
+}
+
+inline MaterialDescription mixture(const Components& components) {
+  MaterialDescription description;
+  description.name = "mixture of " + std::to_string(components.size());
+  description.distribution.type = "mixture";
+  description.distribution.values.set("components", components);
+  return description;
+}
+
 /// Distributions of every type in the list, ordinary and less so.
 inline std::vector<MaterialDescription> every_distribution() {
   std::vector<MaterialDescription> all;
@@ -84,6 +99,15 @@ inline std::vector<MaterialDescription> every_distribution() {
     if (*key != 0) description.distribution.values.set(key, value);
     all.push_back(description);
   }
+  for (const auto* shape : {"exp(-t2)", "exp(-1/t2) / (0.1 + t2^2)", "t^2 * exp(-t)"}) {
+    all.push_back(custom(shape, 0.5));
+    all.push_back(general("custom", 0.2, 0.6, -0.5, {0.2, -0.1}));
+    all.back().distribution.values.set("shape", std::string(shape));
+  }
+  all.push_back(mixture({{0.7, distribution("ggx", {{"alpha", 0.1}}).distribution},
+                         {0.3, distribution("beckmann", {{"alpha", 0.6}}).distribution}}));
+  all.push_back(mixture({{1, general("beckmann", 0.05, 0.8, 0.3, {0.1, 0.2}).distribution},
+                         {3, general("ggx", 0.5, 0.1, 0, {0.1, 0.2}).distribution}}));
   return all;
 }
 

@@ -81,28 +81,49 @@ void mask_by_formula(const CustomMasking& masking, const SlopeMap& map, const Bl
   }
 }
 
+template <class M>
+void mask_mixture(const Mixture& mixture, const M& masking, const Block& block, const Columns& omega, Side& side);
+
+/// t or u of one side, whose c and s are known.
+template <class D, class M>
+void mask_by(const D& distribution, const M& masking, const Block& block, const Columns& omega, Side& side) {
+  const std::size_t n = block.n;
+  if constexpr (std::is_same_v<M, CustomMasking>) {
+    mask_by_formula(masking, distribution.slopes, block, omega, side);
+  } else if constexpr (M::has_lambda && std::is_same_v<D, Mixture>) {
+    mask_mixture(distribution, masking, block, omega, side);
+  } else if constexpr (requires {
+                         masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
+                       }) {
+    masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
+  } else if constexpr (M::has_lambda) {
+    for (std::size_t k = 0; k < n; ++k) side.t[k] = masking.masked_area({side.c[k], side.s[k]}, at(omega, k));
+  } else {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double facing = dot(at(omega, k), at(block.m, k));
+      side.u[k] = facing > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing, block.m.z[k]) : 1;
+    }
+  }
+}
+
+/// Masked areas add.
+template <class M>
+void mask_mixture(const Mixture& mixture, const M& masking, const Block& block, const Columns& omega, Side& side) {
+  std::fill_n(side.t.data(), block.n, 0.0);
+  Side own;
+  for (const auto& part : mixture.parts) {
+    kernels::project(part.slopes().stretch(), vectors(omega), own.c.data(), own.s.data(), block.n);
+    std::visit([&](const auto& distribution) { mask_by(distribution, masking, block, omega, own); }, part.distribution);
+    for (std::size_t k = 0; k < block.n; ++k) side.t[k] += part.weight * own.t[k];
+  }
+}
+
 /// c, s, u and t of one side. t is 0 and u meaningless where c <= 0.
 void mask(const Material& material, const Block& block, const Columns& omega, Side& side) {
   const std::size_t n = block.n;
   kernels::project(material.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), n);
-  std::visit(
-      [&](const auto& distribution, const auto& masking) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(masking)>, CustomMasking>) {
-          mask_by_formula(masking, material.slopes(), block, omega, side);
-        } else if constexpr (requires {
-                               masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
-                             }) {
-          masking.masked_areas(distribution, side.c.data(), side.s.data(), side.t.data(), n);
-        } else if constexpr (std::remove_cvref_t<decltype(masking)>::has_lambda) {
-          for (std::size_t k = 0; k < n; ++k) side.t[k] = masking.masked_area({side.c[k], side.s[k]}, at(omega, k));
-        } else {
-          for (std::size_t k = 0; k < n; ++k) {
-            const double facing = dot(at(omega, k), at(block.m, k));
-            side.u[k] = facing > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing, block.m.z[k]) : 1;
-          }
-        }
-      },
-      material.distribution, material.masking);
+  std::visit([&](const auto& distribution, const auto& masking) { mask_by(distribution, masking, block, omega, side); },
+             material.distribution, material.masking);
   if (!material.has_lambda()) return;
   for (std::size_t k = 0; k < n; ++k) side.u[k] = side.c[k] + side.t[k];
 }

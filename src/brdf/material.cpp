@@ -43,9 +43,12 @@ bool set_in(ModelChoice& choice, const std::string& key, double value) {
     };
     for (const auto& entry : choice.values.map()) {
       const std::string& other = entry.first;
+      const auto alternative = [&](const std::string& k) {
+        return std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, k); });
+      };
       const bool displaced =
-          std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, other) && !in(g, key); }) &&
-          std::ranges::any_of(spec.alternatives, [&](const auto& g) { return in(g, key); });
+          alternative(key) && alternative(other) &&
+          std::ranges::none_of(spec.alternatives, [&](const auto& g) { return in(g, key) && in(g, other); });
       if (!displaced) kept.set(other, entry.second);
     }
     kept.set(key, value);
@@ -74,9 +77,29 @@ const SlopeMap& Material::slopes() const {
   return std::visit([](const auto& d) -> const SlopeMap& { return d.slopes; }, distribution);
 }
 
+namespace {
+
+/// A published fit is for one distribution alone.
+void require_own_distribution(const MaterialDescription& description, const Distribution& distribution,
+                              const Masking& masking) {
+  std::visit(
+      [&]<class M>(const M&) {
+        if constexpr (requires { typename M::FitsOnly; })
+          if (!std::holds_alternative<typename M::FitsOnly>(distribution))
+            throw MaterialError("/masking/type", "\"" + description.masking.type +
+                                                     "\" is a fit for the distribution \"" + M::FitsOnly::spec().type +
+                                                     "\" alone, found \"" + description.distribution.type +
+                                                     "\"; accepted with any: smith");
+      },
+      masking);
+}
+
+} // namespace
+
 Material build(const MaterialDescription& description) {
   auto distribution = make<Distribution>("distribution", description.distribution);
   const auto masking = make<Masking>("masking", description.masking);
+  require_own_distribution(description, distribution, masking);
   const ModelChoice shadowing_choice = description.shadowing.value_or(ModelChoice{.type = default_shadowing(masking)});
   const auto shadowing = make<Shadowing>("shadowing", shadowing_choice);
   const bool has_lambda = std::visit([](const auto& m) { return m.has_lambda; }, masking);

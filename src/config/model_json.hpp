@@ -11,23 +11,33 @@
 
 namespace brdfplot::config {
 
-inline Value to_value(const Json& value, ParameterKind kind) {
+/// A model as it stands in JSON that has been checked; `specs` are those of its list.
+inline ModelChoice to_choice(const Json& value, const std::vector<ModelSpec>& specs);
+
+inline Value to_value(const Json& value, const ParameterSpec& spec) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return value.get<double>();
-  if (kind == ParameterKind::vec2) return value.get<Vec2>();
-  return value.get<Rgb>();
+  if (spec.kind == ParameterKind::vec2) return value.get<Vec2>();
+  if (spec.kind != ParameterKind::components) return value.get<Rgb>();
+  Components components;
+  for (const Json& item : value)
+    components.push_back({item["weight"].get<double>(), to_choice(item["distribution"], spec.models())});
+  return components;
 }
 
-/// `value` has been checked against model(specs_of<List>()).
-template <class List>
-ModelChoice to_choice(const Json& value) {
+inline ModelChoice to_choice(const Json& value, const std::vector<ModelSpec>& specs) {
   ModelChoice choice{.type = value["type"].get<std::string>(), .values = {}};
-  for (const ModelSpec& spec : specs_of<List>()) {
+  for (const ModelSpec& spec : specs) {
     if (spec.type != choice.type) continue;
     for (const auto& [key, item] : value.items())
-      if (key != "type") choice.values.set(key, to_value(item, spec.find(key)->kind));
+      if (key != "type") choice.values.set(key, to_value(item, *spec.find(key)));
   }
   return choice;
+}
+
+template <class List>
+ModelChoice to_choice(const Json& value) {
+  return to_choice(value, specs_of<List>());
 }
 
 } // namespace brdfplot::config

@@ -96,28 +96,32 @@ private:
         if (std::ranges::find(group, key) == group.end()) others.push_back({{"required", Json::array({key})}});
     return {{"required", group}, {"not", {{"anyOf", others}}}};
   }
-  /// Exactly one of the groups, whole; complete() says the same of models, but this is also for what is no model.
+  /// One of the groups, whole, and nothing else of the others; complete() says the same of models, but this is also for
+  /// what is no model.
   void check_alternatives(const Json& value, const std::string& pointer) const {
     if (alternatives_.empty()) return;
-    std::string accepted, present, all;
-    std::size_t touched = 0, whole = 0;
+    std::vector<std::string> known, present;
+    std::string accepted;
     for (const auto& group : alternatives_) {
-      std::string words;
-      std::size_t count = 0;
-      for (const auto& key : group) {
-        words += (words.empty() ? "" : " with ") + key;
-        all += (all.empty() ? "" : ", ") + key;
-        if (!value.contains(key)) continue;
-        present += (present.empty() ? "" : " with ") + key;
-        ++count;
-      }
-      accepted += (accepted.empty() ? "either " : ", or ") + words;
-      if (count > 0) ++touched;
-      if (count == group.size()) ++whole;
+      accepted += (accepted.empty() ? "either " : ", or ") + joined(group, " with ");
+      for (const auto& key : group)
+        if (std::ranges::find(known, key) == known.end()) known.push_back(key);
     }
-    if (touched == 1 && whole == 1) return;
-    const std::string found = present.empty() ? "none of " + all : touched == 1 ? present + " alone" : present;
+    for (const auto& key : known)
+      if (value.contains(key)) present.push_back(key);
+    if (given_alternative(alternatives_, present) != nullptr) return;
+    const bool within_one = std::ranges::any_of(alternatives_, [&](const auto& group) {
+      return std::ranges::all_of(present,
+                                 [&](const auto& key) { return std::ranges::find(group, key) != group.end(); });
+    });
+    const std::string found =
+        present.empty() ? "none of " + joined(known, ", ") : joined(present, " with ") + (within_one ? " alone" : "");
     throw BadValue{pointer, "found " + found + "; accepted: " + accepted};
+  }
+  static std::string joined(const std::vector<std::string>& words, const std::string& separator) {
+    std::string out;
+    for (const auto& word : words) out += (out.empty() ? "" : separator) + word;
+    return out;
   }
   std::vector<Field> fields_;
   std::vector<std::vector<std::string>> alternatives_;
@@ -233,6 +237,13 @@ ShapePtr parameter(const ParameterSpec& spec) {
   case ParameterKind::vec2: return array(number(spec.bounds), 2, 2);
   case ParameterKind::formula:
   case ParameterKind::text: return text();
+  case ParameterKind::components:
+    return array(named("component",
+                       [spec] {
+                         return object({{"weight", number(spec.bounds), true, "share of the sum"},
+                                        {"distribution", model(spec.models()), true, "what has this share"}});
+                       }),
+                 1);
   case ParameterKind::choice: break;
   }
   return choice(spec.choices);

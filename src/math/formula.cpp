@@ -89,12 +89,27 @@ std::string explained(const mu::ParserError& error) {
   std::ranges::replace_if(
       what, [](unsigned char c) { return c < 0x20; }, ' ');
   if (what.ends_with('.')) what.pop_back();
+  if (error.GetPos() >= 0 && what.find("position") == std::string::npos)
+    what += " at position " + std::to_string(error.GetPos());
   return what;
+}
+
+/// Where `text` assigns to a variable, which muParser allows: an `=` that is no part of a comparison.
+std::optional<std::size_t> assignment(const std::string& text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '=') continue;
+    const bool equal = k + 1 < text.size() && text[k + 1] == '=';
+    if (!equal && (k == 0 || std::string("<>!=").find(text[k - 1]) == std::string::npos)) return k;
+    if (equal) ++k;
+  }
+  return std::nullopt;
 }
 
 } // namespace
 
 std::optional<FormulaProblem> Formula::problem(const std::string& text, const std::vector<std::string>& variables) {
+  if (const auto place = assignment(text))
+    return FormulaProblem{"", "assignment at position " + std::to_string(*place) + "; == compares"};
   try {
     Program program({text, variables});
     // Anything but a number to divide by would do: only whether it can be evaluated is asked.

@@ -13,7 +13,7 @@ namespace brdfplot {
 /// What is wrong with a formula.
 struct FormulaProblem {
   std::string unknown; ///< a name that it uses and that there is none of; empty: something else is wrong
-  std::string what;    ///< one line
+  std::string what;    ///< one line, with the position (from 0) where one can be told
 };
 
 /// A formula of named variables, in the syntax of muParser: + - * / ^, comparisons, `c ? x : y`, numbers, `pi`, and the

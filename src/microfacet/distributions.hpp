@@ -3,10 +3,12 @@
 #pragma once
 
 #include "microfacet/distributions/beckmann.hpp"
+#include "microfacet/distributions/custom.hpp"
 #include "microfacet/distributions/exponential_power.hpp"
 #include "microfacet/distributions/gaussian.hpp"
 #include "microfacet/distributions/ggx.hpp"
 #include "microfacet/distributions/gtr.hpp"
+#include "microfacet/distributions/mixture.hpp"
 #include "microfacet/distributions/phong.hpp"
 #include "microfacet/distributions/sheen.hpp"
 #include "microfacet/distributions/student_t.hpp"
@@ -17,15 +19,22 @@
 
 namespace brdfplot {
 
-using Distribution = std::variant<Beckmann,         //
-                                  Ggx,              //
-                                  Phong,            //
-                                  Gtr,              //
-                                  StudentT,         //
-                                  ExponentialPower, //
-                                  Velvet,           //
-                                  Sheen,            //
-                                  Ward,             //
-                                  Gaussian>;
+/// The list, which ends with what is made of the others.
+template <class... Composed>
+using DistributionList = std::variant<Beckmann,         //
+                                      Ggx,              //
+                                      Phong,            //
+                                      Gtr,              //
+                                      StudentT,         //
+                                      ExponentialPower, //
+                                      Velvet,           //
+                                      Sheen,            //
+                                      Ward,             //
+                                      Gaussian,         //
+                                      Custom,           //
+                                      Composed...>;
+
+using Mixture = MixtureOf<DistributionList<>>;
+using Distribution = DistributionList<Mixture>;
 
 } // namespace brdfplot

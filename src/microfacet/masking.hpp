@@ -9,6 +9,7 @@
 #include "microfacet/masking/custom.hpp"
 #include "microfacet/masking/implicit.hpp"
 #include "microfacet/masking/kelemen.hpp"
+#include "microfacet/masking/published_fit.hpp"
 #include "microfacet/masking/schlick_smith.hpp"
 #include "microfacet/masking/smith.hpp"
 #include "microfacet/masking/smith_rational.hpp"
@@ -20,6 +21,8 @@ namespace brdfplot {
 
 using Masking = std::variant<Smith,                //
                              SmithRational,        //
+                             SheenFit,             //
+                             StudentTFit,          //
                              VCavity,              //
                              Implicit,             //
                              SchlickSmith,         //

@@ -32,7 +32,7 @@ std::optional<std::string> problem_with_formula(const std::string& text, const s
   if (problem->unknown.empty()) return "the formula \"" + text + "\": " + problem->what;
   std::vector<std::string> names = variables;
   for (auto& name : names_in_formulas()) names.push_back(std::move(name));
-  return "the formula \"" + text + "\": " + unknown_name("name", problem->unknown, names);
+  return "the formula \"" + text + "\": " + problem->what + "; " + unknown_name("name", problem->unknown, names);
 }
 
 std::optional<std::string> problem_with(const ParameterSpec& parameter, const Value& value) {
@@ -47,6 +47,10 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
   } else if (const auto* rgb = std::get_if<Rgb>(&value)) {
     for (const double x : *rgb)
       if (auto problem = outside(x)) return problem;
+  } else if (const auto* parts = std::get_if<Components>(&value)) {
+    if (parts->empty()) return "found no component, accepted: one or more";
+    for (const Component& part : *parts)
+      if (auto problem = outside(part.weight)) return "the weight: " + *problem;
   } else if (const auto& word = std::get<std::string>(value); parameter.kind == ParameterKind::formula) {
     return problem_with_formula(word, parameter.choices);
   } else if (parameter.kind == ParameterKind::choice &&
@@ -56,30 +60,26 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
   return std::nullopt;
 }
 
-/// Which alternative is given, or what is wrong.
+/// That one alternative is given, or what is wrong.
 std::optional<ParameterError> problem_with_alternatives(const ModelSpec& spec, const Values& given) {
   if (spec.alternatives.empty()) return std::nullopt;
+  std::vector<std::string> keys;
   std::vector<std::string> texts;
-  std::size_t whole = 0;
-  std::string first_given;
-  std::string clash;
   for (const auto& group : spec.alternatives) {
     texts.push_back(join(group, " with "));
-    const auto count =
-        static_cast<std::size_t>(std::ranges::count_if(group, [&](const auto& k) { return given.has(k); }));
-    if (count == group.size()) ++whole;
-    for (const auto& key : group) {
-      if (!given.has(key)) continue;
-      if (!first_given.empty() && std::ranges::find(group, first_given) == group.end()) clash = key;
-      if (first_given.empty()) first_given = key;
-    }
+    for (const auto& key : group)
+      if (given.has(key) && std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
   }
+  if (given_alternative(spec.alternatives, keys) != nullptr) return std::nullopt;
   const std::string accepted = "accepted: either " + join(texts, ", or ");
-  if (!clash.empty()) return ParameterError{clash, "cannot stand beside \"" + first_given + "\"; " + accepted};
-  if (whole == 0 && !first_given.empty())
-    return ParameterError{"", "incomplete with \"" + first_given + "\" alone; " + accepted};
-  if (whole == 0) return ParameterError{"", "\"" + spec.type + "\" lacks a parameter; " + accepted};
-  return std::nullopt;
+  if (keys.empty()) return ParameterError{"", "\"" + spec.type + "\" lacks a parameter; " + accepted};
+  for (const auto& key : keys) {
+    const bool together = std::ranges::any_of(spec.alternatives, [&](const auto& group) {
+      return std::ranges::find(group, key) != group.end() && std::ranges::find(group, keys.front()) != group.end();
+    });
+    if (!together) return ParameterError{key, "cannot stand beside \"" + keys.front() + "\"; " + accepted};
+  }
+  return ParameterError{"", "incomplete with \"" + join(keys, "\" and \"") + "\" alone; " + accepted};
 }
 
 } // namespace
@@ -104,6 +104,20 @@ Rgb Values::rgb(std::string_view key) const {
   const Value& value = map_.find(key)->second;
   if (const auto* number = std::get_if<double>(&value)) return {*number, *number, *number};
   return std::get<Rgb>(value);
+}
+
+const Components& Values::components(std::string_view key) const {
+  return std::get<Components>(map_.find(key)->second);
+}
+
+const std::vector<std::string>* given_alternative(const std::vector<std::vector<std::string>>& groups,
+                                                  const std::vector<std::string>& keys) {
+  for (const auto& group : groups) {
+    const auto given = [&](const std::string& key) { return std::ranges::find(keys, key) != keys.end(); };
+    const auto grouped = [&](const std::string& key) { return std::ranges::find(group, key) != group.end(); };
+    if (std::ranges::all_of(group, given) && std::ranges::all_of(keys, grouped)) return &group;
+  }
+  return nullptr;
 }
 
 std::variant<Values, ParameterError> complete(const ModelSpec& spec, const Values& given) {

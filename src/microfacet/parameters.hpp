@@ -16,15 +16,20 @@ namespace brdfplot {
 
 using Vec2 = std::array<double, 2>;
 using Rgb = std::array<double, 3>;
-using Value = std::variant<double, Vec2, Rgb, std::string>;
+struct Component;
+using Components = std::vector<Component>;
+using Value = std::variant<double, Vec2, Rgb, std::string, Components>;
+
+struct ModelSpec;
 
 enum class ParameterKind {
   number,
   number_or_rgb, ///< a scalar stands for three equal channels
   vec2,
-  choice,  ///< one of `choices`
-  formula, ///< text: a formula (math/formula.hpp) of the variables `choices`
-  text,    ///< any: the path of a file
+  choice,     ///< one of `choices`
+  formula,    ///< text: a formula (math/formula.hpp) of the variables `choices`
+  text,       ///< any: the path of a file
+  components, ///< weighted models of the list `models`
 };
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -49,6 +54,7 @@ struct ParameterSpec {
   std::optional<Value> fallback{}; ///< value when the key is missing; none: required, or one of `alternatives`
   std::string doc;
   std::vector<std::string> choices{};
+  std::vector<ModelSpec> (*models)() = nullptr;
 };
 
 /// What there is to know of a model before one is made.
@@ -57,7 +63,8 @@ struct ModelSpec {
   std::string doc;    ///< one line
   std::string source; ///< author, year, equation
   std::vector<ParameterSpec> parameters{};
-  /// Groups of keys of which exactly one must be given, whole. Empty: every parameter without default is required.
+  /// Groups of keys of which exactly one must be given, whole, and nothing of the others (but what it shares with
+  /// them). Empty: every parameter without default is required.
   std::vector<std::vector<std::string>> alternatives{};
 
   const ParameterSpec* find(std::string_view key) const;
@@ -70,6 +77,7 @@ public:
   double number(std::string_view key) const { return get<double>(key); }
   Vec2 vec2(std::string_view key) const { return get<Vec2>(key); }
   std::string text(std::string_view key) const { return get<std::string>(key); }
+  const Components& components(std::string_view key) const;
   /// A scalar is spread over three channels.
   Rgb rgb(std::string_view key) const;
   bool is_rgb(std::string_view key) const { return std::holds_alternative<Rgb>(map_.find(key)->second); }
@@ -91,11 +99,26 @@ struct ModelChoice {
   Values values{}; ///< only what was given; build() adds the defaults
 };
 
-/// What is wrong with a parameter: which one (empty: the model as a whole) and why.
+/// One of the models that a mixture is made of.
+struct Component {
+  double weight = 1;
+  ModelChoice model;
+};
+
+/// What is wrong with a parameter: which one (empty: the model as a whole) and why. The key may go on as a JSON pointer
+/// into the parameter.
 struct ParameterError {
   std::string key;
   std::string what;
 };
+
+/// A model, or why it cannot be made of parameters that are good one by one.
+template <class Model>
+using Made = std::variant<Model, ParameterError>;
+
+/// The group that `keys` are, in whatever order; nothing when they are none of them.
+const std::vector<std::string>* given_alternative(const std::vector<std::vector<std::string>>& groups,
+                                                  const std::vector<std::string>& keys);
 
 /// `given` with the defaults of `spec` added, or what is wrong: unknown key, missing key, value out of bounds, two
 /// alternatives at once.

@@ -26,9 +26,20 @@ inline std::vector<std::string> names_of(const std::vector<ModelSpec>& specs) {
   return names;
 }
 
+/// A model, or what is wrong with it, as one of the list.
+template <class List, class Model>
+Made<List> as_model(Model made) {
+  if constexpr (requires { std::get<ParameterError>(made); }) {
+    if (auto* error = std::get_if<ParameterError>(&made)) return std::move(*error);
+    return List(std::get<0>(std::move(made)));
+  } else {
+    return List(std::move(made));
+  }
+}
+
 /// Builds the model that `choice` names, or tells what is wrong with it (key `type` for an unknown name).
 template <class List>
-std::variant<List, ParameterError> make_model(const ModelChoice& choice) {
+Made<List> make_model(const ModelChoice& choice) {
   const std::vector<ModelSpec>& specs = specs_of<List>();
   for (std::size_t index = 0; index < specs.size(); ++index) {
     if (specs[index].type != choice.type) continue;
@@ -36,8 +47,9 @@ std::variant<List, ParameterError> make_model(const ModelChoice& choice) {
     if (auto* error = std::get_if<ParameterError>(&completed)) return *error;
     const Values& values = std::get<Values>(completed);
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      std::variant<List, ParameterError> made = ParameterError{};
-      (void)((index == I ? (made = List(std::variant_alternative_t<I, List>::from(values)), true) : false) || ...);
+      Made<List> made = ParameterError{};
+      (void)((index == I ? (made = as_model<List>(std::variant_alternative_t<I, List>::from(values)), true) : false) ||
+             ...);
       return made;
     }
     (std::make_index_sequence<std::variant_size_v<List>>{});

@@ -11,7 +11,7 @@ namespace brdfplot {
 
 /// A distribution made of a unit-roughness shape and a map of slopes. `Shape` has
 /// - `static ModelSpec about()`: type, doc, source, and the shape's own parameters where it has some;
-/// - `static Shape from(const Values&)`, where it has parameters;
+/// - `static Shape from(const Values&)`, or `Made<Shape>`, where it has parameters;
 /// - `double density(double t2)`: slope density at squared norm t2, Eq. 65 with alpha = 1;
 /// - `double scaled_density(double n2, double z2)`: density(n2 / z2) / z2^2, for z2 -> 0 as finite as D is;
 /// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity];
@@ -30,11 +30,16 @@ struct ShapeInvariant {
     spec.alternatives = SlopeMap::alternatives();
     return spec;
   }
-  static ShapeInvariant from(const Values& values) {
-    if constexpr (requires { Shape::from(values); })
-      return {SlopeMap::from(values), Shape::from(values)};
-    else
-      return {SlopeMap::from(values)};
+  static auto from(const Values& values) {
+    if constexpr (requires { std::get<ParameterError>(Shape::from(values)); }) {
+      auto made = Shape::from(values);
+      if (auto* error = std::get_if<ParameterError>(&made)) return Made<ShapeInvariant>(std::move(*error));
+      return Made<ShapeInvariant>(ShapeInvariant{SlopeMap::from(values), std::get<Shape>(std::move(made))});
+    } else if constexpr (requires { Shape::from(values); }) {
+      return ShapeInvariant{SlopeMap::from(values), Shape::from(values)};
+    } else {
+      return ShapeInvariant{SlopeMap::from(values)};
+    }
   }
   static constexpr bool shape_invariant = true;
   using UnitShape = Shape;

@@ -52,10 +52,22 @@ struct SlopeMap {
 
   bool centred() const { return mean_x == 0 && mean_y == 0; }
 
-  /// The parameters `alpha`, or `alpha_x` and `alpha_y`; `correlation`; `mean_slope`.
+  /// The parameters `alpha`, or `alpha_x` and `alpha_y`, or `roughness` alone or with an anisotropy; `correlation`;
+  /// `mean_slope`.
   static std::vector<ParameterSpec> parameters();
-  static std::vector<std::vector<std::string>> alternatives() { return {{"alpha"}, {"alpha_x", "alpha_y"}}; }
+  static std::vector<std::vector<std::string>> alternatives() {
+    return {{"alpha"},
+            {"alpha_x", "alpha_y"},
+            {"roughness"},
+            {"roughness", "disney_anisotropy"},
+            {"roughness", "imageworks_anisotropy"}};
+  }
   static SlopeMap from(const Values& values);
 };
+
+/// The parameters of a distribution with one alpha: `alpha` within bounds, or `roughness`, its root.
+std::vector<ParameterSpec> isotropic_roughness(const Bounds& bounds, const std::string& doc);
+/// The alpha that they say.
+double alpha_from(const Values& values);
 
 } // namespace brdfplot

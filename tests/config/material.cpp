@@ -147,16 +147,68 @@ TEST_CASE("materials: numbers out of bounds") {
 }
 
 TEST_CASE("materials: exactly one of the alternatives, whole") {
-  const std::string accepted = "accepted: either alpha, or alpha_x with alpha_y";
+  const std::string accepted = "accepted: either alpha, or alpha_x with alpha_y, or roughness, or roughness with "
+                               "disney_anisotropy, or roughness with imageworks_anisotropy";
   check_all({
-      {ggx(""), "/distribution", {"found none of alpha, alpha_x, alpha_y; " + accepted}},
+      {ggx(""),
+       "/distribution",
+       {"found none of alpha, alpha_x, alpha_y, roughness, disney_anisotropy, imageworks_anisotropy; " + accepted}},
       {ggx(R"(, "alpha_x": 1)"), "/distribution", {"found alpha_x alone; " + accepted}},
       {ggx(R"(, "alpha": 1, "alpha_x": 1)"), "/distribution", {"found alpha with alpha_x; " + accepted}},
       {ggx(R"(, "alpha": 1, "alpha_x": 1, "alpha_y": 1)"), "/distribution", {"found alpha with alpha_x with alpha_y"}},
+      {ggx(R"(, "disney_anisotropy": 0.5)"), "/distribution", {"found disney_anisotropy alone; " + accepted}},
+      {ggx(R"(, "roughness": 0.5, "alpha": 0.5)"), "/distribution", {"found alpha with roughness; " + accepted}},
+      {ggx(R"(, "roughness": 0.5, "imageworks_anisotropy": 1)"), "/distribution/imageworks_anisotropy", {"(-1, 1)"}},
       {R"({"distribution": {"type": "phong", "alpha": 1, "exponent": 2}})",
        "/distribution",
        {"found exponent with alpha; accepted: either exponent, or alpha"}},
   });
+}
+
+TEST_CASE("materials: a shape that is no density of slopes says why and where") {
+  const auto custom = [](const std::string& shape) {
+    return R"({"distribution": {"type": "custom", "alpha": 0.5, "shape": ")" + shape + "\"}}";
+  };
+  const std::string at = "/distribution/shape";
+  check_all({
+      {custom("exp(-t3)"), at, {"\"t3\" found at position 5", "did you mean \"t2\"?"}},
+      {custom("exp(-t2"), at, {"Missing parenthesis at position"}},
+      {custom("t2 = 1"), at, {"assignment at position 3; == compares"}},
+      {custom("1 / (1 + t2)"), at, {"falls like t2^-1 to infinity", "its mass is infinite"}},
+      {custom("1"), at, {"falls like t2^0 to infinity", "its mass is infinite"}},
+      {custom("1 / (1 + t2)^1.4"), at, {"falls like t2^-1.4 to infinity", "its mean slope is infinite"}},
+      {custom("exp(-t2) * (1 - t2)"), at, {"is negative (-0.0", "at t2 = 1.0"}},
+      {custom("exp(-t2) / (t2 - 4)^2"), at, {"is infinite at t2 = 4"}},
+      {custom("exp(-t2) / t"), at, {"is infinite at t2 = 0"}},
+      {custom("sin(t) / t"), at, {"is not a number at t2 = 0"}},
+      {custom("sqrt(2 - t2)"), at, {"is not a number at t2 = 2.0"}},
+      {custom("0 * t"), at, {"is 0 wherever"}},
+      {R"({"distribution": {"type": "custom", "alpha": 0.5}})", "/distribution", {"\"shape\" is missing"}},
+  });
+}
+
+TEST_CASE("materials: mixtures tell which component is wrong, and fits refuse what they do not fit") {
+  const auto mixture = [](const std::string& components) {
+    return R"({"distribution": {"type": "mixture", "components": [)" + components + "]}}";
+  };
+  const std::string good = R"({"weight": 1, "distribution": {"type": "ggx", "alpha": 0.1}})";
+  const std::string at = "/distribution/components";
+  check_all({
+      {mixture(""), at, {"at least 1 item"}},
+      {mixture(good + R"(, {"weight": 0, "distribution": {"type": "ggx", "alpha": 0.1}})"), at + "/1/weight", {"> 0"}},
+      {mixture(good + R"(, {"weight": 1, "distribution": {"type": "ggx"}})"),
+       at + "/1/distribution",
+       {"none of alpha"}},
+      {mixture(good + R"(, {"weight": 1, "distribution": {"type": "mixture"}})"), at + "/1/distribution/type", {"ggx"}},
+      {mixture(good + R"(, {"weight": 1, "distribution": {"type": "custom", "alpha": 1, "shape": "1"}})"),
+       at + "/1/distribution/shape",
+       {"its mass is infinite"}},
+      {mixture(good + R"(, {"weight": 1, "distribution": {"type": "ggx", "alpha": 1, "mean_slope": [1, 0]}})"),
+       at + "/1",
+       {"mean_slope differs"}},
+      {with(R"("masking": {"type": "sheen_fit"})"), "/masking/type", {"a fit for the distribution \"sheen\" alone"}},
+  });
+  CHECK_NOTHROW(load(mixture(good + ", " + good)));
 }
 
 TEST_CASE("materials: joint shadowing that the masking function does not allow") {

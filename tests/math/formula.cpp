@@ -47,6 +47,9 @@ TEST_CASE("a formula that is none is refused, with the name that it does not kno
     CHECK(problem(text)->what.find('\n') == std::string::npos);
     CHECK_THROWS_AS(Formula(text, {"t", "t2"}), InputError);
   }
+  CHECK(problem("t = 3")->what == "assignment at position 2; == compares");
+  for (const char* text : {"t == 3", "t <= t2", "t >= t2", "t != 2"}) CHECK_FALSE(problem(text).has_value());
+  CHECK(problem("(t")->what.find("at position") != std::string::npos);
   const auto names = names_in_formulas();
   for (const char* name : {"pi", "exp", "erf", "sqrt"}) CHECK(std::ranges::find(names, name) != names.end());
   CHECK(std::ranges::find(names, "_pi") == names.end());

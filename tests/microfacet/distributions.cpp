@@ -48,7 +48,7 @@ TEST_CASE("every distribution of the list: int D cos = 1") {
     const Material m = build(description);
     const SlopeMap& map = m.slopes();
     const bool symmetric = map.centred() && map.correlation == 0 && map.alpha_x == map.alpha_y;
-    const double step = symmetric ? std::numbers::pi : 0.02454369260617026;
+    const double step = symmetric ? std::numbers::pi : 2 * std::numbers::pi / 1024;
     CHECK(area(m, std::min(map.alpha_x, map.alpha_y), step) == doctest::Approx(1).epsilon(1e-8));
   }
 }
@@ -95,7 +95,7 @@ TEST_CASE("every distribution of the list: visible normals are normalised at phi
       for (const double theta : {0.1, 1.0, 1.5}) {
         INFO(description.name << ", theta = " << theta << ", phi = " << phi);
         const Direction o = from_angles(theta, phi * degree);
-        if (!(m.slopes().project(o).c > 0)) continue;
+        if (!(m.slopes().project(o).c > 0.01)) continue;
         const Estimate norm = compute(Integral::visible_norm, m, o, 1e-8);
         // Normals whose density is infinite at the horizon (student_t, gamma < 2) take the integral longer than it has.
         CHECK(norm.error <= (description.distribution.type == "student_t" ? 1e-5 : 1e-8));

@@ -1,5 +1,8 @@
 #include "microfacet/distributions/exponential_power.hpp"
 
+#include "math/number.hpp"
+#include "microfacet/remembered.hpp"
+
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <numbers>
@@ -16,7 +19,9 @@ ModelSpec ExponentialPowerShape::about() {
 ExponentialPowerShape ExponentialPowerShape::from(const Values& values) {
   const double p = values.number("p");
   const double log_peak = std::log(p * std::numbers::inv_pi) - boost::math::lgamma(1 / p);
-  return {p, log_peak, ALambdaTable([=](double t2) { return log_peak - std::pow(t2, p); })};
+  return remembered<ExponentialPowerShape>(format_number(p), [=] {
+    return ExponentialPowerShape{p, log_peak, ALambdaTable([=](double t2) { return log_peak - std::pow(t2, p); })};
+  });
 }
 
 double ExponentialPowerShape::density(double t2) const { return std::exp(log_peak - std::pow(t2, power)); }

@@ -1,6 +1,8 @@
 #include "microfacet/distributions/gaussian.hpp"
 
+#include "math/number.hpp"
 #include "math/quadrature.hpp"
+#include "microfacet/remembered.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +31,8 @@ ModelSpec GaussianProfile::spec() {
   return {.type = "gaussian",
           .doc = "exp(-(theta_m / alpha)^2); printed with a free factor, here int D cos = 1",
           .source = "Torrance and Sparrow 1967; Blinn 1977; Cook and Torrance 1982",
-          .parameters = {{.key = "alpha", .bounds = {.min = 1e-6, .max = 1e3}, .doc = "width of the angle, rad"}}};
+          .parameters = isotropic_roughness({.min = 1e-6, .max = 1e3}, "width of the angle, rad"),
+          .alternatives = {{"alpha"}, {"roughness"}}};
 }
 
 namespace {
@@ -42,11 +45,14 @@ double log_slope_density(double log_peak, double alpha, double r2) {
 } // namespace
 
 GaussianProfile GaussianProfile::from(const Values& values) {
-  const double alpha = values.number("alpha");
-  const double log_peak = -std::log(std::numbers::pi * integral(alpha));
+  const double alpha = alpha_from(values);
   const double width2 = width(alpha) * width(alpha);
-  return {alpha, log_peak,
-          ALambdaTable([=](double t2) { return log_slope_density(log_peak, alpha, width2 * t2) + std::log(width2); })};
+  return remembered<GaussianProfile>(format_number(alpha), [=] {
+    const double log_peak = -std::log(std::numbers::pi * integral(alpha));
+    return GaussianProfile{alpha, log_peak, ALambdaTable([=](double t2) {
+                             return log_slope_density(log_peak, alpha, width2 * t2) + std::log(width2);
+                           })};
+  });
 }
 
 double GaussianProfile::p22(double r2) const { return std::exp(log_slope_density(log_peak, alpha, r2)); }

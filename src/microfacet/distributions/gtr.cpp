@@ -48,11 +48,14 @@ double gtr_a_lambda_closed(double alpha, int gamma, double a) {
 
 ModelSpec GtrProfile::spec() {
   const Bounds positive{.min = 0, .open_min = true};
-  return {.type = "gtr",
-          .doc = "generalized Trowbridge-Reitz; masking in closed form for gamma = 1, 2, 3, 4, else by quadrature",
-          .source = "Burley 2012; Akenine-Moller et al. 2018, Eqs. 9.46-9.47; Dimov 2015",
-          .parameters = {{.key = "alpha", .bounds = positive, .doc = "roughness"},
-                         {.key = "gamma", .bounds = positive, .doc = "exponent of the tail; 2 is GGX"}}};
+  ModelSpec spec{.type = "gtr",
+                 .doc =
+                     "generalized Trowbridge-Reitz; masking in closed form for gamma = 1, 2, 3, 4, else by quadrature",
+                 .source = "Burley 2012; Akenine-Moller et al. 2018, Eqs. 9.46-9.47; Dimov 2015",
+                 .parameters = isotropic_roughness(positive, "roughness"),
+                 .alternatives = {{"alpha"}, {"roughness"}}};
+  spec.parameters.push_back({.key = "gamma", .bounds = positive, .doc = "exponent of the tail; 2 is GGX"});
+  return spec;
 }
 
 namespace {
@@ -64,7 +67,7 @@ double log_slope_density(double log_k, double alpha2, double gamma, double r2) {
 } // namespace
 
 GtrProfile GtrProfile::from(const Values& values) {
-  const double alpha = values.number("alpha");
+  const double alpha = alpha_from(values);
   const double gamma = values.number("gamma");
   const double log_k = gtr_log_normalization(alpha, gamma);
   const double alpha2 = alpha * alpha;

@@ -5,14 +5,16 @@
 namespace brdfplot {
 
 ModelSpec PhongProfile::spec() {
-  return {.type = "phong",
-          .doc = "power of the cosine; masking by quadrature of its own slopes",
-          .source = "Walter et al. 2007, Eqs. 30-33; Heitz 2014, section 7",
-          .parameters = {{.key = "exponent", .bounds = {.min = -1, .open_min = true}, .doc = "n of cos^n theta_m"},
-                         {.key = "alpha",
-                          .bounds = {.min = 0, .max = std::numbers::sqrt2, .open_min = true, .open_max = true},
-                          .doc = "roughness of the like Beckmann surface; n = 2 / alpha^2 - 2"}},
-          .alternatives = {{"exponent"}, {"alpha"}}};
+  ModelSpec spec{.type = "phong",
+                 .doc = "power of the cosine; masking by quadrature of its own slopes",
+                 .source = "Walter et al. 2007, Eqs. 30-33; Heitz 2014, section 7",
+                 .parameters =
+                     isotropic_roughness({.min = 0, .max = std::numbers::sqrt2, .open_min = true, .open_max = true},
+                                         "roughness of the like Beckmann surface; n = 2 / alpha^2 - 2"),
+                 .alternatives = {{"exponent"}, {"alpha"}, {"roughness"}}};
+  spec.parameters.insert(spec.parameters.begin(),
+                         {.key = "exponent", .bounds = {.min = -1, .open_min = true}, .doc = "n of cos^n theta_m"});
+  return spec;
 }
 
 namespace {
@@ -40,7 +42,7 @@ PhongProfile PhongProfile::from(const Values& values) {
     const double exponent = values.number("exponent");
     return make(exponent, std::sqrt(2 / (exponent + 2)));
   }
-  const double alpha = values.number("alpha");
+  const double alpha = alpha_from(values);
   return make(2 / (alpha * alpha) - 2, alpha);
 }
 

@@ -41,14 +41,14 @@ double transform(double m, double c, double x) {
 } // namespace
 
 ModelSpec SheenProfile::spec() {
-  return {
-      .type = "sheen",
-      .doc = "power of the sine, for cloth; Lambda exact",
-      .source = "Estevez and Kulla 2017; Akenine-Moller et al. 2018, Eq. 9.75",
-      .parameters = {{.key = "alpha", .bounds = {.min = 1e-6, .max = 1e6}, .doc = "roughness r; the power is 1 / r"}}};
+  return {.type = "sheen",
+          .doc = "power of the sine, for cloth; Lambda exact",
+          .source = "Estevez and Kulla 2017; Akenine-Moller et al. 2018, Eq. 9.75",
+          .parameters = isotropic_roughness({.min = 1e-6, .max = 1e6}, "roughness r; the power is 1 / r"),
+          .alternatives = {{"alpha"}, {"roughness"}}};
 }
 
-SheenProfile SheenProfile::from(const Values& values) { return {values.number("alpha")}; }
+SheenProfile SheenProfile::from(const Values& values) { return {alpha_from(values)}; }
 
 double SheenProfile::p22(double r2) const {
   const double m = half_power();

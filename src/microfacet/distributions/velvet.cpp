@@ -6,19 +6,20 @@
 namespace brdfplot {
 
 ModelSpec VelvetProfile::spec() {
-  return {.type = "velvet",
-          .doc = "inverted Gaussian on a uniform base; Lambda exact",
-          .source = "Ashikhmin et al. 2000; Neubelt and Pettineo 2013; Akenine-Moller et al. 2018, Eq. 9.73",
-          .parameters = {{.key = "alpha",
-                          .bounds = {.min = 1e-6, .max = 1e6},
-                          .doc = "width of the inverted Gaussian, as cot theta_m"},
-                         {.key = "amplitude",
-                          .bounds = {.min = 0, .max = 1e6},
-                          .fallback = 4.0,
-                          .doc = "k_amp, of the inverted Gaussian over the base"}}};
+  ModelSpec spec{.type = "velvet",
+                 .doc = "inverted Gaussian on a uniform base; Lambda exact",
+                 .source = "Ashikhmin et al. 2000; Neubelt and Pettineo 2013; Akenine-Moller et al. 2018, Eq. 9.73",
+                 .parameters =
+                     isotropic_roughness({.min = 1e-6, .max = 1e6}, "width of the inverted Gaussian, as cot theta_m"),
+                 .alternatives = {{"alpha"}, {"roughness"}}};
+  spec.parameters.push_back({.key = "amplitude",
+                             .bounds = {.min = 0, .max = 1e6},
+                             .fallback = 4.0,
+                             .doc = "k_amp, of the inverted Gaussian over the base"});
+  return spec;
 }
 
-VelvetProfile VelvetProfile::from(const Values& values) { return {values.number("alpha"), values.number("amplitude")}; }
+VelvetProfile VelvetProfile::from(const Values& values) { return {alpha_from(values), values.number("amplitude")}; }
 
 double VelvetProfile::p22(double r2) const {
   const double base = base_weight();

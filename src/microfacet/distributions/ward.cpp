@@ -1,6 +1,8 @@
 #include "microfacet/distributions/ward.hpp"
 
+#include "math/number.hpp"
 #include "microfacet/beckmann_lambda.hpp"
+#include "microfacet/remembered.hpp"
 
 #include <numbers>
 
@@ -20,7 +22,8 @@ ModelSpec WardProfile::spec() {
   return {.type = "ward",
           .doc = "exp(-tan^2 / alpha^2) / cos^3; printed with int D = 1, here int D cos = 1 as of every distribution",
           .source = "Ward 1992; Kelemen and Szirmay-Kalos 2001, Eq. 4",
-          .parameters = {{.key = "alpha", .bounds = {.min = 1e-6, .max = 1e3}, .doc = "roughness, m of the paper"}}};
+          .parameters = isotropic_roughness({.min = 1e-6, .max = 1e3}, "roughness, m of the paper"),
+          .alternatives = {{"alpha"}, {"roughness"}}};
 }
 
 namespace {
@@ -32,11 +35,14 @@ double log_slope_density(double log_peak, double alpha, double r2) {
 } // namespace
 
 WardProfile WardProfile::from(const Values& values) {
-  const double alpha = values.number("alpha");
+  const double alpha = alpha_from(values);
   const double log_peak = -std::log(std::numbers::pi / std::numbers::inv_sqrtpi * alpha * scaled_erfc(1 / alpha));
   const double alpha2 = alpha * alpha;
-  return {alpha, log_peak,
-          ALambdaTable([=](double t2) { return log_slope_density(log_peak, alpha, alpha2 * t2) + std::log(alpha2); })};
+  return remembered<WardProfile>(format_number(alpha), [=] {
+    return WardProfile{alpha, log_peak, ALambdaTable([=](double t2) {
+                         return log_slope_density(log_peak, alpha, alpha2 * t2) + std::log(alpha2);
+                       })};
+  });
 }
 
 double WardProfile::p22(double r2) const { return std::exp(log_slope_density(log_peak, alpha, r2)); }

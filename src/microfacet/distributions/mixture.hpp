@@ -1,0 +1,98 @@
+/// \file
+/// A weighted sum of distributions (Cook and Torrance 1982; Kulla and Conty 2017).
+#pragma once
+
+#include "microfacet/registry.hpp"
+#include "microfacet/slopes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace brdfplot {
+
+/// D = sum w_k D_k, over the distributions of `List`, with weights that are divided by their sum. The visible area is
+/// linear in D, and so is Smith's c Lambda (Heitz 2014, Eqs. 41-43). All parts have one mesosurface.
+template <class List>
+struct MixtureOf {
+  struct Part {
+    double weight = 1; ///< of a sum of 1
+    List distribution;
+
+    const SlopeMap& slopes() const {
+      return std::visit([](const auto& d) -> const SlopeMap& { return d.slopes; }, distribution);
+    }
+  };
+
+  SlopeMap slopes; ///< the mesosurface; the roughness, of which only rough scales are taken, is the smallest of all
+  std::vector<Part> parts;
+
+  static ModelSpec spec() {
+    return {.type = "mixture",
+            .doc = "weighted sum of other distributions",
+            .source = "Cook and Torrance 1982; Kulla and Conty 2017; Heitz 2014, Eq. 41",
+            .parameters = {{.key = "components",
+                            .kind = ParameterKind::components,
+                            .bounds = {.min = 0, .open_min = true},
+                            .doc = "what is summed; the weights are divided by their sum",
+                            .models = [] { return specs_of<List>(); }}}};
+  }
+
+  static Made<MixtureOf> from(const Values& values) {
+    MixtureOf mixture;
+    double sum = 0;
+    for (const Component& component : values.components("components")) {
+      const std::string at = "components/" + std::to_string(mixture.parts.size());
+      auto made = make_model<List>(component.model);
+      if (const auto* error = std::get_if<ParameterError>(&made))
+        return ParameterError{at + "/distribution" + (error->key.empty() ? "" : "/" + error->key), error->what};
+      mixture.parts.push_back({component.weight, std::get<List>(std::move(made))});
+      sum += component.weight;
+      const SlopeMap& first = mixture.parts.front().slopes();
+      const SlopeMap& last = mixture.parts.back().slopes();
+      if (last.mean_x != first.mean_x || last.mean_y != first.mean_y)
+        return ParameterError{at, "its mean_slope differs from that of the first; the components share a mesosurface"};
+    }
+    for (Part& part : mixture.parts) part.weight /= sum;
+    mixture.slopes = mixture.common_slopes();
+    return mixture;
+  }
+  static constexpr bool shape_invariant = false;
+
+  double p22(double slope_x, double slope_y) const {
+    return summed([&](const auto& d) { return d.p22(slope_x, slope_y); });
+  }
+  double density(const Direction& omega_m) const {
+    return summed([&](const auto& d) { return d.density(omega_m); });
+  }
+  void densities(const kernels::Vectors<double>& m, double* d, std::size_t n) const {
+    std::fill_n(d, n, 0.0);
+    std::vector<double> of_part(n);
+    for (const Part& part : parts) {
+      std::visit([&](const auto& distribution) { distribution.densities(m, of_part.data(), n); }, part.distribution);
+      for (std::size_t k = 0; k < n; ++k) d[k] += part.weight * of_part[k];
+    }
+  }
+
+private:
+  template <class F>
+  double summed(const F& f) const {
+    double sum = 0;
+    for (const Part& part : parts) sum += part.weight * std::visit(f, part.distribution);
+    return sum;
+  }
+  SlopeMap common_slopes() const {
+    SlopeMap common = parts.front().slopes();
+    common.correlation = 0;
+    for (const Part& part : parts) {
+      common.alpha_x = std::min(common.alpha_x, part.slopes().alpha_x);
+      common.alpha_y = std::min(common.alpha_y, part.slopes().alpha_y);
+    }
+    return common;
+  }
+};
+
+} // namespace brdfplot
