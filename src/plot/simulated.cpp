@@ -9,6 +9,8 @@ namespace brdfplot::plot {
 
 namespace {
 
+std::string text_of(const ModelChoice& choice);
+
 std::string text_of(const Value& value) {
   struct Visitor {
     std::string operator()(double x) const { return format_number(x); }
@@ -16,6 +18,12 @@ std::string text_of(const Value& value) {
     std::string operator()(const Vec2& v) const { return format_number(v[0]) + ";" + format_number(v[1]); }
     std::string operator()(const Rgb& v) const {
       return format_number(v[0]) + ";" + format_number(v[1]) + ";" + format_number(v[2]);
+    }
+    std::string operator()(const Components& components) const {
+      std::string out;
+      for (const auto& component : components)
+        out += format_number(component.weight) + "*" + text_of(component.model) + ";";
+      return out;
     }
   };
   return std::visit(Visitor{}, value);
