@@ -93,7 +93,7 @@ std::string text_of(const std::array<double, N>& numbers) {
 }
 std::string text_of(double number) { return format_number(number); }
 std::string text_of(const std::string& text) { return text; }
-std::string text_of(const Components& components) { return std::to_string(components.size()) + " components"; }
+std::string text_of(const WeightedChoices& components) { return std::to_string(components.size()) + " components"; }
 
 /// "default 1", "required", or nothing for what is one of several alternatives.
 std::string need(const ModelSpec& spec, const ParameterSpec& parameter) {

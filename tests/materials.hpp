@@ -71,7 +71,7 @@ inline MaterialDescription custom(const std::string& shape, double alpha) {
   return description;
 }
 
-inline MaterialDescription mixture(const Components& components) {
+inline MaterialDescription mixture(const WeightedChoices& components) {
   MaterialDescription description;
   description.name = "mixture of " + std::to_string(components.size());
   description.distribution.type = "mixture";

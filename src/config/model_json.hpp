@@ -19,7 +19,7 @@ inline Value to_value(const Json& value, const ParameterSpec& spec) {
   if (value.is_number()) return value.get<double>();
   if (spec.kind == ParameterKind::vec2) return value.get<Vec2>();
   if (spec.kind != ParameterKind::components) return value.get<Rgb>();
-  Components components;
+  WeightedChoices components;
   for (const Json& item : value)
     components.push_back({item["weight"].get<double>(), to_choice(item["distribution"], spec.models())});
   return components;

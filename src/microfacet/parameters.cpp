@@ -47,9 +47,9 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
   } else if (const auto* rgb = std::get_if<Rgb>(&value)) {
     for (const double x : *rgb)
       if (auto problem = outside(x)) return problem;
-  } else if (const auto* parts = std::get_if<Components>(&value)) {
+  } else if (const auto* parts = std::get_if<WeightedChoices>(&value)) {
     if (parts->empty()) return "found no component, accepted: one or more";
-    for (const Component& part : *parts)
+    for (const WeightedChoice& part : *parts)
       if (auto problem = outside(part.weight)) return "the weight: " + *problem;
   } else if (const auto& word = std::get<std::string>(value); parameter.kind == ParameterKind::formula) {
     return problem_with_formula(word, parameter.choices);
@@ -106,8 +106,8 @@ Rgb Values::rgb(std::string_view key) const {
   return std::get<Rgb>(value);
 }
 
-const Components& Values::components(std::string_view key) const {
-  return std::get<Components>(map_.find(key)->second);
+const WeightedChoices& Values::components(std::string_view key) const {
+  return std::get<WeightedChoices>(map_.find(key)->second);
 }
 
 const std::vector<std::string>* given_alternative(const std::vector<std::vector<std::string>>& groups,

@@ -16,9 +16,9 @@ namespace brdfplot {
 
 using Vec2 = std::array<double, 2>;
 using Rgb = std::array<double, 3>;
-struct Component;
-using Components = std::vector<Component>;
-using Value = std::variant<double, Vec2, Rgb, std::string, Components>;
+struct WeightedChoice;
+using WeightedChoices = std::vector<WeightedChoice>;
+using Value = std::variant<double, Vec2, Rgb, std::string, WeightedChoices>;
 
 struct ModelSpec;
 
@@ -77,7 +77,7 @@ public:
   double number(std::string_view key) const { return get<double>(key); }
   Vec2 vec2(std::string_view key) const { return get<Vec2>(key); }
   std::string text(std::string_view key) const { return get<std::string>(key); }
-  const Components& components(std::string_view key) const;
+  const WeightedChoices& components(std::string_view key) const;
   /// A scalar is spread over three channels.
   Rgb rgb(std::string_view key) const;
   bool is_rgb(std::string_view key) const { return std::holds_alternative<Rgb>(map_.find(key)->second); }
@@ -100,7 +100,7 @@ struct ModelChoice {
 };
 
 /// One of the models that a mixture is made of.
-struct Component {
+struct WeightedChoice {
   double weight = 1;
   ModelChoice model;
 };

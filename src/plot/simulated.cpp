@@ -19,7 +19,7 @@ std::string text_of(const Value& value) {
     std::string operator()(const Rgb& v) const {
       return format_number(v[0]) + ";" + format_number(v[1]) + ";" + format_number(v[2]);
     }
-    std::string operator()(const Components& components) const {
+    std::string operator()(const WeightedChoices& components) const {
       std::string out;
       for (const auto& component : components)
         out += format_number(component.weight) + "*" + text_of(component.model) + ";";

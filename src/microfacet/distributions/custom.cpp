@@ -71,7 +71,8 @@ double mass(const Formula& formula) {
 
 void require_finite_moments(const Formula& formula) {
   const double power = falling_power(formula);
-  const std::string falls = "the shape falls like t2^-" + format_number(std::round(power * 1e4) / 1e4 + 0.0) + " to infinity";
+  const std::string falls =
+      "the shape falls like t2^" + format_number(0.0 - std::round(power * 1e4) / 1e4) + " to infinity";
   if (power <= 1 + 1e-6) throw ShapeProblem{falls + ": its mass is infinite; accepted: faster than t2^-1.5"};
   if (power <= 1.5 + 1e-6) throw ShapeProblem{falls + ": its mean slope is infinite; accepted: faster than t2^-1.5"};
 }

@@ -27,7 +27,7 @@ struct MixtureOf {
     }
   };
 
-  SlopeMap slopes; ///< the mesosurface; the roughness, of which only rough scales are taken, is the smallest of all
+  SlopeMap slopes; ///< the mesosurface; the roughness is a scale to start from: that of the smoothest part
   std::vector<Part> parts;
 
   static ModelSpec spec() {
@@ -44,7 +44,7 @@ struct MixtureOf {
   static Made<MixtureOf> from(const Values& values) {
     MixtureOf mixture;
     double sum = 0;
-    for (const Component& component : values.components("components")) {
+    for (const WeightedChoice& component : values.components("components")) {
       const std::string at = "components/" + std::to_string(mixture.parts.size());
       auto made = make_model<List>(component.model);
       if (const auto* error = std::get_if<ParameterError>(&made))
@@ -85,13 +85,12 @@ private:
     return sum;
   }
   SlopeMap common_slopes() const {
-    SlopeMap common = parts.front().slopes();
-    common.correlation = 0;
-    for (const Part& part : parts) {
-      common.alpha_x = std::min(common.alpha_x, part.slopes().alpha_x);
-      common.alpha_y = std::min(common.alpha_y, part.slopes().alpha_y);
-    }
-    return common;
+    // Smoothest among those that are not isotropic, if any, so that the mixture never seems to be.
+    const auto order = [](const Part& part) {
+      const SlopeMap& map = part.slopes();
+      return std::pair(map.alpha_x == map.alpha_y && map.correlation == 0, map.determinant());
+    };
+    return std::ranges::min_element(parts, {}, order)->slopes();
   }
 };
 
