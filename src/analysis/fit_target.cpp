@@ -63,7 +63,9 @@ double middle(const std::function<double(double)>& lambda) {
 
 /// The numbers and formulas among the given parameters that are no arguments of the fit.
 std::string constants_of(const ModelChoice& distribution, const FitTarget& target) {
-  const std::vector<std::string> of_slopes = {"alpha", "alpha_x", "alpha_y", "correlation", "mean_slope"};
+  const std::vector<std::string> of_slopes = {"alpha",       "alpha_x",           "alpha_y",
+                                              "roughness",   "disney_anisotropy", "imageworks_anisotropy",
+                                              "correlation", "mean_slope"};
   std::string out;
   for (const auto& [key, value] : distribution.values.map()) {
     if (target.parameter && (target.parameter->key == key || target.alpha == FitAlpha::root_of_y)) continue;
