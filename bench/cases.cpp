@@ -1,6 +1,7 @@
 #include "cases.hpp"
 
 #include "accuracy/measure.hpp"
+#include "brdf/evaluate.hpp"
 #include "peers.hpp"
 
 namespace brdfplot::bench {
@@ -19,45 +20,102 @@ std::vector<T>& output() {
   return values;
 }
 
+/// An exact result, and the E of exp(-E) in it: a change of the input by its rounding changes the result by 4 E units
+/// of 2^-53, and errors are divided by 1 + E / 2, as in tests/accuracy.
+struct Exact {
+  Quad value;
+  double exponent = 0;
+};
+using ExactOf = std::function<Exact(std::size_t)>;
+
 /// Exact results that are too small to be told from zero by the peers are left out: their errors would be infinite.
-template <class T, class Exact>
-double largest_error(const Exact& exact) {
+template <class T>
+double largest_error(const ExactOf& exact) {
   double largest = 0;
   for (std::size_t k = 0; k < count; k += stride) {
-    const Quad value = exact(k);
+    const auto [value, exponent] = exact(k);
     if (value > Quad(std::numeric_limits<T>::min()))
-      largest = std::max(largest, accuracy::ulp_error(output<T>()[k], value));
+      largest = std::max(largest, accuracy::ulp_error(output<T>()[k], value) / (1 + exponent / 2));
   }
   return largest;
 }
 
 template <class T>
-Quad exact_lambda(Model model, std::size_t k) {
-  return reference::lambda(model, Quad(Quad(inputs<T>().c[k]) / Quad(inputs<T>().s[k])));
+Exact exact_lambda(Model model, std::size_t k) {
+  return {reference::lambda(model, Quad(Quad(inputs<T>().c[k]) / Quad(inputs<T>().s[k])))};
 }
 
 template <class T>
-Quad exact_brdf(Model model, std::size_t k) {
-  const auto& in = inputs<T>();
-  const Quad alpha = in.alpha[k / batch];
-  return reference::brdf<Quad>(model, reference::G2Form::height_correlated, {alpha, alpha, Quad(0), Quad(0), Quad(0)},
-                               {Quad(in.o.x[k]), Quad(in.o.y[k]), Quad(in.o.z[k])},
-                               {Quad(in.i.x[k]), Quad(in.i.y[k]), Quad(in.i.z[k])});
+reference::Vector<Quad> vector(const Directions<T>& directions, std::size_t k) {
+  return {Quad(directions.x[k]), Quad(directions.y[k]), Quad(directions.z[k])};
 }
 
 template <class T>
-Quad exact_d(Model model, std::size_t k) {
-  const auto& in = inputs<T>();
-  const Quad alpha = in.alpha[k / batch];
-  return reference::d<Quad>(model, {alpha, alpha, Quad(0), Quad(0), Quad(0)},
-                            {Quad(in.o.x[k]), Quad(in.o.y[k]), Quad(in.o.z[k])});
+reference::Stretch<Quad> stretch(std::size_t k) {
+  const Quad alpha = inputs<T>().alpha[k / batch];
+  return {alpha, alpha, Quad(0), Quad(0), Quad(0)};
+}
+
+/// E at a vector of any length; GGX has none.
+template <class T>
+double exponent(Model model, const reference::Vector<Quad>& m, std::size_t k) {
+  if (model == Model::ggx) return 0;
+  return static_cast<double>(reference::slope_norm2(stretch<T>(k), Quad(-m.x / m.z), Quad(-m.y / m.z)));
+}
+
+template <class T>
+Exact exact_brdf(Model model, std::size_t k) {
+  const auto o = vector(inputs<T>().o, k), i = vector(inputs<T>().i, k);
+  return {reference::brdf(model, reference::G2Form::height_correlated, stretch<T>(k), o, i),
+          exponent<T>(model, {o.x + i.x, o.y + i.y, o.z + i.z}, k)};
+}
+
+template <class T>
+Exact exact_d(Model model, std::size_t k) {
+  const auto m = vector(inputs<T>().o, k);
+  return {reference::d(model, stretch<T>(k), m), exponent<T>(model, m, k)};
+}
+
+Exact exact_conductor(std::size_t k) {
+  const auto o = vector(inputs<double>().o, k), i = vector(inputs<double>().i, k);
+  const reference::Vector<Quad> h{o.x + i.x, o.y + i.y, o.z + i.z};
+  const Quad facing = reference::dot(o, h) / sqrt(reference::dot(h, h));
+  return {exact_brdf<double>(Model::ggx, k).value *
+          reference::conductor(facing, Quad(conductor_eta), Quad(conductor_k))};
+}
+
+/// Materials of rough conductors, one a batch.
+const std::vector<Material>& conductors() {
+  static const std::vector<Material> all = [] {
+    std::vector<Material> list;
+    for (const double alpha : inputs<double>().alpha) {
+      MaterialDescription description;
+      description.distribution.type = "ggx";
+      description.distribution.values.set("alpha", alpha);
+      description.fresnel.type = "conductor";
+      description.fresnel.values.set("eta", conductor_eta);
+      description.fresnel.values.set("k", conductor_k);
+      list.push_back(build(description));
+    }
+    return list;
+  }();
+  return all;
+}
+
+void evaluate_conductors() {
+  const auto& in = inputs<double>();
+  for (std::size_t k = 0; k < count; k += batch) {
+    const auto o = in.o.from(k), i = in.i.from(k);
+    evaluate(conductors()[k / batch], Quantity::brdf, {batch, {o.x, o.y, o.z}, {i.x, i.y, i.z}, {}},
+             output<double>().data() + k);
+  }
 }
 
 /// A list of cases under construction. All of one group share inputs and exact results.
 template <class T>
 class Group {
 public:
-  Group(std::vector<Case>& all, std::string what, std::function<Quad(std::size_t)> exact)
+  Group(std::vector<Case>& all, std::string what, ExactOf exact)
       : all_(all), name_(std::move(what) + " " + accuracy::type_name<T>()), exact_(std::move(exact)) {}
 
   void add(std::string name, std::function<void()> run, double target = 0,
@@ -80,7 +138,7 @@ public:
 private:
   std::vector<Case>& all_;
   std::string name_;
-  std::function<Quad(std::size_t)> exact_;
+  ExactOf exact_;
 };
 
 template <class T>
@@ -113,7 +171,7 @@ template <class T>
 void add_masking(std::vector<Case>& all) {
   constexpr bool is_double = sizeof(T) == sizeof(double);
   Group<T> of_a(all, "Lambda(a) Beckmann",
-                [](std::size_t k) { return reference::lambda_beckmann(Quad(inputs<T>().a[k])); });
+                [](std::size_t k) { return Exact{reference::lambda_beckmann(Quad(inputs<T>().a[k]))}; });
   of_a.add_kernel(over_a<T>(kernels::lambda_beckmann));
   of_a.add("printed, std::erf", over_a<T>(printed_beckmann_of_a<T>), is_double ? 12 : 0);
   Group<T> beckmann(all, "Lambda Beckmann", [](std::size_t k) { return exact_lambda<T>(Model::beckmann, k); });
@@ -135,7 +193,7 @@ void add_masking(std::vector<Case>& all) {
     if (const auto peer = printed_ggx_vectorised()) ggx.add("printed, vectorised", over_cs<T>(peer));
   const auto area = [&](const char* name, Model model, OverCs<T>* kernel) {
     Group<T>(all, name, [model](std::size_t k) {
-      return Quad(exact_lambda<T>(model, k) * Quad(inputs<T>().c[k]));
+      return Exact{exact_lambda<T>(model, k).value * Quad(inputs<T>().c[k])};
     }).add_kernel(over_cs<T>(kernel));
   };
   area("c Lambda Beckmann", Model::beckmann, kernels::masked_area_beckmann);
@@ -146,17 +204,18 @@ template <class T>
 void add_densities(std::vector<Case>& all) {
   for (const Model model : {Model::beckmann, Model::ggx}) {
     const bool beckmann = model == Model::beckmann;
-    Group<T>(all, beckmann ? "D Beckmann" : "D GGX", [model](std::size_t k) { return exact_d<T>(model, k); })
-        .add_kernel(over_batches<T>(
-            [beckmann](double alpha, kernels::Vectors<T> m, kernels::Vectors<T>, T* out, std::size_t n) {
-              if (beckmann)
-                kernels::d_beckmann({alpha, alpha}, m, out, n);
-              else
-                kernels::d_ggx({alpha, alpha}, m, out, n);
-            }));
+    Group<T> group(all, beckmann ? "D Beckmann" : "D GGX", [model](std::size_t k) { return exact_d<T>(model, k); });
+    group.add_kernel(
+        over_batches<T>([beckmann](double alpha, kernels::Vectors<T> m, kernels::Vectors<T>, T* out, std::size_t n) {
+          if (beckmann)
+            kernels::d_beckmann({alpha, alpha}, m, out, n);
+          else
+            kernels::d_ggx({alpha, alpha}, m, out, n);
+        }));
+    group.add("as pbrt-v4", over_batches<T>(beckmann ? pbrt_d_beckmann<T> : pbrt_d_ggx<T>));
   }
   Group<T>(all, "c and s", [](std::size_t k) {
-    return Quad(inputs<T>().o.z[k]);
+    return Exact{Quad(inputs<T>().o.z[k])};
   }).add_kernel(over_batches<T>([](double alpha, kernels::Vectors<T> o, kernels::Vectors<T>, T* out, std::size_t n) {
     static std::vector<T> s(batch);
     kernels::project({alpha, alpha}, o, out, s.data(), n);
@@ -174,6 +233,11 @@ void add_brdfs(std::vector<Case>& all) {
   beckmann.add_kernel(over_batches<T>(brdf_kernel<T>(kernels::Distribution::beckmann)));
   beckmann.add("as pbrt, std::erf", over_batches<T>(pbrt_beckmann<T>), is_double ? 12 : 0);
   beckmann.add("lean isotropic, std::erf", over_batches<T>(lean_beckmann<T>));
+  if constexpr (is_double) {
+    Group<T> conductor(all, "BRDF GGX conductor", exact_conductor);
+    conductor.add("brdfplot evaluate", evaluate_conductors);
+    conductor.add("as pbrt-v4", over_batches<T>(pbrt_conductor));
+  }
 }
 
 template <class T>

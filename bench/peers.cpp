@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace brdfplot::bench {
@@ -104,6 +105,20 @@ struct LeanBeckmann {
   }
 };
 
+double fresnel_complex(double cosine, std::complex<double> eta) {
+  cosine = std::clamp(cosine, 0.0, 1.0);
+  const double sin2_i = 1 - square(cosine);
+  const std::complex<double> sin2_t = sin2_i / (eta * eta), cos_t = std::sqrt(1.0 - sin2_t);
+  const std::complex<double> parallel = (eta * cosine - cos_t) / (eta * cosine + cos_t);
+  const std::complex<double> perpendicular = (cosine - eta * cos_t) / (cosine + eta * cos_t);
+  return (std::norm(parallel) + std::norm(perpendicular)) / 2;
+}
+
+template <class Model, class T>
+void over_normals(const Model& model, kernels::Vectors<T> m, T* out, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) out[k] = model.d({m.x[k], m.y[k], m.z[k]});
+}
+
 template <class Model, class T>
 void over_pairs(const Model& model, kernels::Vectors<T> o, kernels::Vectors<T> i, T* out, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
@@ -165,6 +180,24 @@ void pbrt_beckmann(double alpha, kernels::Vectors<T> o, kernels::Vectors<T> i, T
   over_pairs(PbrtBeckmann<T>{static_cast<T>(alpha), static_cast<T>(alpha)}, o, i, out, n);
 }
 template <class T>
+void pbrt_d_ggx(double alpha, kernels::Vectors<T> m, kernels::Vectors<T>, T* out, std::size_t n) {
+  over_normals(PbrtGgx<T>{static_cast<T>(alpha), static_cast<T>(alpha)}, m, out, n);
+}
+template <class T>
+void pbrt_d_beckmann(double alpha, kernels::Vectors<T> m, kernels::Vectors<T>, T* out, std::size_t n) {
+  over_normals(PbrtBeckmann<T>{static_cast<T>(alpha), static_cast<T>(alpha)}, m, out, n);
+}
+
+void pbrt_conductor(double alpha, kernels::Vectors<double> o, kernels::Vectors<double> i, double* out, std::size_t n) {
+  over_pairs(PbrtGgx<double>{alpha, alpha}, o, i, out, n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = o.x[k] + i.x[k], y = o.y[k] + i.y[k], z = o.z[k] + i.z[k];
+    const double facing = (o.x[k] * x + o.y[k] * y + o.z[k] * z) / std::sqrt(x * x + y * y + z * z);
+    out[k] *= fresnel_complex(facing, {conductor_eta, conductor_k});
+  }
+}
+
+template <class T>
 void lean_ggx(double alpha, kernels::Vectors<T> o, kernels::Vectors<T> i, T* out, std::size_t n) {
   over_pairs(LeanGgx<T>{static_cast<T>(alpha)}, o, i, out, n);
 }
@@ -187,6 +220,10 @@ template Brdf<double> pbrt_ggx<double>;
 template Brdf<float> pbrt_ggx<float>;
 template Brdf<double> pbrt_beckmann<double>;
 template Brdf<float> pbrt_beckmann<float>;
+template Brdf<double> pbrt_d_ggx<double>;
+template Brdf<float> pbrt_d_ggx<float>;
+template Brdf<double> pbrt_d_beckmann<double>;
+template Brdf<float> pbrt_d_beckmann<float>;
 template Brdf<double> lean_ggx<double>;
 template Brdf<float> lean_ggx<float>;
 template Brdf<double> lean_beckmann<double>;

@@ -44,6 +44,17 @@ Brdf<T> pbrt_ggx;
 template <class T>
 Brdf<T> pbrt_beckmann;
 
+/// D alone, of the first of the two directions.
+template <class T>
+Brdf<T> pbrt_d_ggx;
+template <class T>
+Brdf<T> pbrt_d_beckmann;
+
+/// The BRDF of a rough conductor, pbrt_ggx times the reflectance at the half vector in complex arithmetic (util/
+/// scattering.h, FrComplex).
+inline constexpr double conductor_eta = 0.2, conductor_k = 3.9;
+Brdf<double> pbrt_conductor;
+
 /// The leanest isotropic transcription: tan^2 from cos, Lambda twice, a division.
 template <class T>
 Brdf<T> lean_ggx;

@@ -6,9 +6,11 @@
 #include "config/load.hpp"
 #include "math/errors.hpp"
 #include "math/number.hpp"
+#include "microfacet/parameters.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace brdfplot::cli {
@@ -21,6 +23,7 @@ struct EvalFlags {
   std::string input = "-";
   std::string output = "-";
   std::string tolerance;
+  std::string precision = "double";
 };
 
 std::vector<std::string> split(const std::vector<std::string>& lists) {
@@ -35,11 +38,19 @@ std::vector<std::string> split(const std::vector<std::string>& lists) {
   return names;
 }
 
+bool is_single(const std::string& precision) {
+  const std::vector<std::string> accepted = {"double", "single"};
+  if (std::ranges::find(accepted, precision) == accepted.end())
+    throw InputError("--precision", unknown_name("precision", precision, accepted));
+  return precision == "single";
+}
+
 int run(const EvalFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "eval", "MATERIAL.json");
   require_argument(!flags.quantities.empty(), "eval", "-q Q[,Q...]");
   const StreamOptions options{select_quantities(split(flags.quantities), "-q"),
-                              read_tolerance(flags.tolerance, default_tolerance), settings.threads};
+                              read_tolerance(flags.tolerance, default_tolerance), settings.threads,
+                              is_single(flags.precision)};
   Material material = build(config::load_material(flags.material));
   material.name = flags.material; // errors name the material by its file
   InputFile in(flags.input);
@@ -68,6 +79,10 @@ Command add_eval(CLI::App& app, const Settings& settings) {
       ->type_name("FILE|-");
   command->add_option("--tolerance", flags->tolerance, "Largest error accepted of integrals; default: 1e-9")
       ->type_name("NUMBER");
+  command
+      ->add_option("--precision", flags->precision,
+                   "double, or single: the kernels in float, values in the shortest form that reads back to a float")
+      ->type_name("double|single");
   command->footer(footer("brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }

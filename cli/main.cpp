@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "math/errors.hpp"
 #include "math/interrupt.hpp"
+#include "math/kernels/kernels.hpp"
 #include "math/parallel.hpp"
 #include "microfacet/parameters.hpp"
 #include "terminal.hpp"
@@ -64,6 +65,7 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   CLI::App app("Microfacet BRDF models: evaluation, figures and reports", "brdfplot");
   app.fallthrough();
   app.require_subcommand(0, 1); // so that the second word of `schema report` is no command
+  if (const auto error = kernels::isa_request_error()) throw InputError("BRDFPLOT_ISA", *error);
   add_global_flags(app, settings);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.footer("brdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"

@@ -44,13 +44,14 @@ struct OutputText {
   std::string text;
 };
 
-/// What has to be computed for `entry`: a figure at once, a table row by row.
+/// What has to be computed for `entry`: a figure at once, a table of properties row by row, of a table of data nothing.
 void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Computed& computed,
                   std::vector<Task>& tasks) {
   if (const auto* figure = std::get_if<plot::FigureDescription>(&entry.what)) {
     tasks.push_back({figure->id, [figure, &store, &computed] { computed.figure = render(*figure, store); }});
     return;
   }
+  if (std::holds_alternative<config::DataTable>(entry.what)) return;
   const auto& table = std::get<PropertyTableDescription>(entry.what);
   auto rows = families(table);
   computed.rows.resize(rows.size());
@@ -88,6 +89,14 @@ struct Content {
     records.push_back({table.id, "table", {stem + ".csv", stem + ".md"}, seconds, computed.rows});
     files.push_back({stem + ".csv", csv});
     files.push_back({stem + ".md", table_markdown(table.title, table.caption, computed.rows)});
+  }
+
+  void add(const config::ReportEntry& entry, const config::DataTable& table, const Computed&) {
+    page.push_back({table.id, entry.section, table.title, table.caption, "", table.csv, entry.json, table.cells, 0});
+    const std::string stem = "tables/" + table.id;
+    records.push_back({table.id, "table", {stem + ".csv", stem + ".md"}, 0, {}});
+    files.push_back({stem + ".csv", table.csv});
+    files.push_back({stem + ".md", table_markdown(table.title, table.caption, table.cells)});
   }
 };
 

@@ -151,10 +151,11 @@ std::string table_csv(const std::vector<PropertyRow>& rows) {
   return out;
 }
 
-std::string table_markdown(const std::string& title, const std::string& caption, const std::vector<PropertyRow>& rows) {
+std::string table_markdown(const std::string& title, const std::string& caption,
+                           const std::vector<std::vector<std::string>>& cells) {
   std::string out = "# " + plot::strip_markup(title) + "\n\n" + plot::strip_markup(caption) + "\n\n";
   bool header = true;
-  for (const auto& line : cells(rows, plain)) {
+  for (const auto& line : cells) {
     for (const auto& cell : line) out += "| " + cell + " ";
     out += "|\n";
     if (header)
@@ -163,6 +164,10 @@ std::string table_markdown(const std::string& title, const std::string& caption,
     header = false;
   }
   return out;
+}
+
+std::string table_markdown(const std::string& title, const std::string& caption, const std::vector<PropertyRow>& rows) {
+  return table_markdown(title, caption, cells(rows, plain));
 }
 
 std::vector<std::vector<std::string>> plain_cells(const std::vector<PropertyRow>& rows) { return cells(rows, plain); }

@@ -25,6 +25,10 @@ std::string table_markdown(const std::string& title, const std::string& caption,
 /// The same as cells of plain text; the first row is the header.
 std::vector<std::vector<std::string>> plain_cells(const std::vector<PropertyRow>& rows);
 
+/// A table under its title; the first row is the header.
+std::string table_markdown(const std::string& title, const std::string& caption,
+                           const std::vector<std::vector<std::string>>& cells);
+
 /// The same as cells with label markup; the first row is the header.
 std::vector<std::vector<std::string>> table_cells(const std::vector<PropertyRow>& rows);
 

@@ -158,7 +158,11 @@ std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& na
 void evaluate_stream(const Material& material, const StreamOptions& options, InputFile& in, OutputFile& out) {
   for (const auto& quantity : options.quantities)
     if (const auto* info = std::get_if<QuantityInfo>(&quantity)) require(material, *info, true, true, true);
-  const bool slow = std::ranges::any_of(options.quantities, is_integral);
+  const auto integral = std::ranges::find_if(options.quantities, is_integral);
+  const bool slow = integral != options.quantities.end();
+  if (slow && options.single_precision)
+    throw InputError("--precision", "found \"single\" with the integral \"" + name_of(*integral) +
+                                        "\"; accepted: double, or quantities with a closed form only");
   RowReader reader(in, slow ? integral_block_size : block_size);
   std::string header = reader.header();
   const std::string where = in.name() + ":" + std::to_string(reader.header_line());

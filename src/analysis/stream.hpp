@@ -22,6 +22,7 @@ struct StreamOptions {
   std::vector<StreamQuantity> quantities;
   double tolerance = default_tolerance; ///< of integrals
   int threads = 1;
+  bool single_precision = false; ///< closed forms in float; there are no integrals in it
 };
 
 /// Reads directions (see DirectionColumns) and writes every row as it was, followed by a column per quantity: `brdf`,
@@ -31,8 +32,8 @@ struct StreamOptions {
 ///
 /// Memory does not grow with the number of rows, and what is written does not depend on the number of threads: before a
 /// row that is wrong, all rows above it.
-/// \throws InputError naming FILE:LINE for the first row that is wrong, AccuracyError for the first integral that
-/// misses the tolerance, FileError when reading or writing fails.
+/// \throws InputError for an integral in single precision; naming FILE:LINE for the first row that is wrong,
+/// AccuracyError for the first integral that misses the tolerance, FileError when reading or writing fails.
 void evaluate_stream(const Material& material, const StreamOptions& options, InputFile& in, OutputFile& out);
 
 } // namespace brdfplot

@@ -64,9 +64,11 @@ std::optional<std::string> DirectionColumns::read_row(FieldScanner& scanner,
   std::optional<std::string> problem;
   std::size_t column = 0;
   do {
-    const std::string_view field = scanner.next();
-    if (column < slots_.size() && slots_[column] != no_slot && !problem)
-      problem = read_number(field, column, numbers[slots_[column]]);
+    const bool wanted = column < slots_.size() && slots_[column] != no_slot && !problem;
+    if (!wanted)
+      scanner.next();
+    else if (!scanner.next_number(numbers[slots_[column]]))
+      problem = read_number(scanner.next(), column, numbers[slots_[column]]);
     ++column;
   } while (!scanner.row_ended());
   if (scanner.cut()) return "a quote is not closed";

@@ -1,10 +1,13 @@
 #include "analysis/stream_evaluator.hpp"
 
+#include "brdf/evaluate_single.hpp"
 #include "math/errors.hpp"
 #include "math/interrupt.hpp"
 #include "math/number.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace brdfplot {
 
@@ -24,7 +27,9 @@ StreamEvaluator::StreamEvaluator(const StreamPlan& plan) : plan_(plan), rows_(ch
     for (auto& component : direction) component.resize(chunk_size);
   for (const auto& quantity : plan.options.quantities) {
     const auto channels = static_cast<std::size_t>(plan.channels_of(quantity));
-    results_.push_back({std::vector<double>(chunk_size * channels), channels, chunk_size});
+    const bool single = plan.options.single_precision;
+    results_.push_back({std::vector<double>(single ? 0 : chunk_size * channels),
+                        std::vector<float>(single ? chunk_size * channels : 0), channels, chunk_size});
   }
 }
 
@@ -32,10 +37,9 @@ std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out)
   out.clear();
   const auto& quantities = plan_.options.quantities;
   std::exception_ptr failure;
-  std::size_t line = block.first_line;
   for (FieldScanner scanner(block.text); !scanner.at_end() && !failure;) {
     throw_if_interrupted();
-    failure = read(scanner, block.text, line);
+    failure = read(scanner, block.text, block.first_line);
     // Integrals first: they may end the chunk before its last row.
     for (std::size_t q = 0; q < quantities.size(); ++q)
       if (const auto* info = std::get_if<IntegralInfo>(&quantities[q]))
@@ -47,17 +51,16 @@ std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out)
   return failure;
 }
 
-std::exception_ptr StreamEvaluator::read(FieldScanner& scanner, const std::string& text, std::size_t& line) {
+std::exception_ptr StreamEvaluator::read(FieldScanner& scanner, const std::string& text, std::size_t first_line) {
   n_ = 0;
   std::array<Direction, letter_count> directions{};
   while (n_ < chunk_size && !scanner.at_end()) {
     const std::size_t start = scanner.position();
+    const std::size_t row_line = first_line + scanner.lines();
     const auto problem = plan_.columns.read_row(scanner, directions);
     std::string_view row = std::string_view(text).substr(start, scanner.position() - start);
-    const std::size_t row_line = line;
-    line += static_cast<std::size_t>(std::ranges::count(row, '\n'));
     // A blank line has one field, and so may look like a wrong row.
-    if (is_blank(row)) continue;
+    if (row.front() <= ' ' && is_blank(row)) continue;
     if (problem) return std::make_exception_ptr(InputError(where(row_line), *problem));
     row.remove_suffix(row.ends_with("\r\n") ? 2 : 1);
     rows_[n_] = row;
@@ -99,7 +102,10 @@ void StreamEvaluator::evaluate_rows(const QuantityInfo& info, Result& result) co
   Batch batch{n_, columns_of(Letter::o), columns_of(Letter::i), columns_of(Letter::m)};
   if (info.needs.i) batch.m = {};
   result.stride = n_;
-  evaluate(plan_.material, info.quantity, batch, result.values.data());
+  if (plan_.options.single_precision)
+    evaluate(plan_.material, info.quantity, batch, result.single.data());
+  else
+    evaluate(plan_.material, info.quantity, batch, result.values.data());
 }
 
 Columns StreamEvaluator::columns_of(Letter letter) const {
@@ -108,13 +114,20 @@ Columns StreamEvaluator::columns_of(Letter letter) const {
   return {components[0].data(), components[1].data(), components[2].data()};
 }
 
+void StreamEvaluator::append_value(std::string& out, const Result& result, std::size_t index) const {
+  if (!plan_.options.single_precision) return append_number(out, result.values[index]);
+  std::array<char, 16> buffer;
+  const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), result.single[index]);
+  out.append(buffer.data(), written.ptr);
+}
+
 void StreamEvaluator::append_rows(std::string& out) const {
   for (std::size_t r = 0; r < n_; ++r) {
     out += rows_[r];
     for (const Result& result : results_) {
       for (std::size_t k = 0; k < result.channels; ++k) {
         out += ',';
-        append_number(out, result.values[k * result.stride + r]);
+        append_value(out, result, k * result.stride + r);
       }
     }
     out += '\n';

@@ -30,15 +30,17 @@ private:
   /// The values of one quantity: channel k of row r at k * stride + r.
   struct Result {
     std::vector<double> values;
+    std::vector<float> single; ///< instead, in single precision
     std::size_t channels = 1;
     std::size_t stride = 0;
   };
 
   /// Reads a chunk of rows, up to the first that is wrong: it is what is returned.
-  std::exception_ptr read(FieldScanner& scanner, const std::string& text, std::size_t& line);
+  std::exception_ptr read(FieldScanner& scanner, const std::string& text, std::size_t first_line);
   /// The integral of every row of the chunk, up to the first that misses the tolerance: it ends the chunk.
   std::exception_ptr integrate_rows(const IntegralInfo& info, Result& result);
   void evaluate_rows(const QuantityInfo& info, Result& result) const;
+  void append_value(std::string& out, const Result& result, std::size_t index) const;
   void append_rows(std::string& out) const;
   std::string where(std::size_t line) const { return plan_.file + ":" + std::to_string(line); }
   Columns columns_of(Letter letter) const;

@@ -3,6 +3,8 @@
 #include "math/errors.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace brdfplot {
 
@@ -31,6 +33,7 @@ std::string_view FieldScanner::next() {
   std::size_t i = start;
   if (i < text_.size() && text_[i] == '"') {
     for (++i; i < text_.size(); ++i) {
+      if (text_[i] == '\n') ++lines_;
       if (text_[i] != '"') continue;
       if (i + 1 == text_.size() || text_[i + 1] != '"') break;
       ++i;
@@ -39,10 +42,24 @@ std::string_view FieldScanner::next() {
   while (i < text_.size() && text_[i] != ',' && text_[i] != '\n') ++i;
   cut_ = i >= text_.size();
   row_ended_ = cut_ || text_[i] == '\n';
+  if (!cut_ && row_ended_) ++lines_;
   position_ = cut_ ? text_.size() : i + 1;
   std::size_t end = std::min(i, text_.size());
   if (row_ended_ && end > start && text_[end - 1] == '\r') --end;
   return text_.substr(start, end - start);
+}
+
+bool FieldScanner::next_number(double& number) {
+  const char* const last = text_.data() + text_.size();
+  double value = 0;
+  const auto [end, error] = std::from_chars(text_.data() + position_, last, value);
+  if (error != std::errc() || end == last || (*end != ',' && *end != '\n') || !std::isfinite(value)) return false;
+  number = value;
+  cut_ = false;
+  row_ended_ = *end == '\n';
+  if (row_ended_) ++lines_;
+  position_ = static_cast<std::size_t>(end - text_.data()) + 1;
+  return true;
 }
 
 std::string unquoted(std::string_view field) {

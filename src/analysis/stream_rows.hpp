@@ -22,13 +22,19 @@ public:
   std::size_t position() const { return position_; }
   /// The next field as it stands, quotes included; afterwards row_ended() tells whether it was the last of its row.
   std::string_view next();
+  /// The same for a field that is a finite number and nothing else, which is then in `number`. Otherwise false, and the
+  /// field is still the next one: it may be quoted, have blanks or a unit, or be wrong.
+  bool next_number(double& number);
   bool row_ended() const { return row_ended_; }
   /// Whether the text ended instead of the row: there is more to read, or a quote is not closed.
   bool cut() const { return cut_; }
+  /// How many lines ended so far, those inside quotes among them.
+  std::size_t lines() const { return lines_; }
 
 private:
   std::string_view text_;
   std::size_t position_ = 0;
+  std::size_t lines_ = 0;
   bool row_ended_ = false;
   bool cut_ = false;
 };

@@ -1,6 +1,7 @@
 #include "brdf/evaluate.hpp"
 
 #include "brdf/diffuse.hpp"
+#include "brdf/kernel_choice.hpp"
 #include "math/number.hpp"
 
 #include <algorithm>
@@ -23,7 +24,8 @@ struct Side {
 
 struct Block {
   std::size_t n = 0;
-  Columns o, i, m; ///< of the batch, from the first row of the block on; m may be `half`
+  Columns o, i, m;       ///< of the batch, from the first row of the block on; m may be `half`
+  bool has_half = false; ///< m is the half vector, which both directions face where it is defined
   Buffer half_x, half_y, half_z;
   Side viewer, light;
   Buffer density, visibility;
@@ -35,6 +37,19 @@ Direction at(const Columns& columns, std::size_t k) { return {columns.x[k], colu
 
 Columns from_row(const Columns& columns, std::size_t first) {
   return columns ? Columns{columns.x + first, columns.y + first, columns.z + first} : Columns{};
+}
+
+/// u.v with the rounding of every step added at the end (Ogita, Rump, Oishi 2005): right where the two are all but
+/// perpendicular, and the terms cancel.
+double careful_dot(const Direction& u, const Direction& v) {
+  const double x = u.x * v.x, y = u.y * v.y, z = u.z * v.z;
+  const double products = std::fma(u.x, v.x, -x) + std::fma(u.y, v.y, -y) + std::fma(u.z, v.z, -z);
+  const auto low = [](double a, double b, double sum) {
+    const double part = sum - a;
+    return (a - (sum - part)) + (b - part);
+  };
+  const double xy = x + y, xyz = xy + z;
+  return xyz + (low(x, y, xy) + low(xy, z, xyz) + products);
 }
 
 void halve(Block& block) {
@@ -58,7 +73,8 @@ void load(Block& block, const Batch& batch, std::size_t first) {
   block.i = from_row(batch.i, first);
   block.m = from_row(batch.m, first);
   if (batch.m) return;
-  if (batch.o && batch.i) return halve(block);
+  block.has_half = batch.o && batch.i;
+  if (block.has_half) return halve(block);
   block.half_x.fill(0);
   block.half_y.fill(0);
   block.half_z.fill(1);
@@ -100,7 +116,7 @@ void mask_by(const D& distribution, const M& masking, const Block& block, const 
     for (std::size_t k = 0; k < n; ++k) side.t[k] = masking.masked_area({side.c[k], side.s[k]}, at(omega, k));
   } else {
     for (std::size_t k = 0; k < n; ++k) {
-      const double facing = dot(at(omega, k), at(block.m, k));
+      const double facing = careful_dot(at(omega, k), at(block.m, k));
       side.u[k] = facing > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing, block.m.z[k]) : 1;
     }
   }
@@ -145,7 +161,8 @@ void shadow(const Material& material, Block& block) {
           const Direction o = at(block.o, k), i = at(block.i, k), m = at(block.m, k);
           double azimuth = 0;
           if constexpr (std::remove_cvref_t<decltype(shadowing)>::needs_azimuth) azimuth = azimuth_difference(o, i);
-          const bool lit = v.c[k] > 0 && l.c[k] > 0 && dot(o, m) > 0 && dot(i, m) > 0 && m.z > 0;
+          const bool facing = block.has_half || (careful_dot(o, m) > 0 && careful_dot(i, m) > 0);
+          const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && m.z > 0;
           const double visibility = shadowing.visibility({v.c[k], v.u[k], v.t[k], l.c[k], l.u[k], l.t[k], azimuth});
           block.visibility[k] = lit ? visibility : 0;
         }
@@ -178,7 +195,7 @@ void evaluate_masking(const Material& material, Quantity quantity, bool has_m, B
   if (quantity == Quantity::d_visible) normals(material, block);
   const Side& v = block.viewer;
   for (std::size_t k = 0; k < block.n; ++k) {
-    const double facing = dot(at(block.o, k), at(block.m, k));
+    const double facing = careful_dot(at(block.o, k), at(block.m, k));
     const bool seen = v.c[k] > 0 && ((facing > 0 && block.m.z[k] > 0) || !has_m);
     if (quantity == Quantity::lambda)
       out[k] = v.c[k] > 0 ? v.t[k] / v.c[k] : infinity;
@@ -191,7 +208,7 @@ void evaluate_masking(const Material& material, Quantity quantity, bool has_m, B
 
 /// Quantities of the normal alone: p22, d, d_cos.
 void evaluate_normal(const Material& material, Quantity quantity, Block& block, double* out) {
-  if (quantity == Quantity::p22) {
+  if (quantity == Quantity::p22 && !density_kernel(material)) {
     std::visit(
         [&](const auto& distribution) {
           for (std::size_t k = 0; k < block.n; ++k) {
@@ -203,24 +220,12 @@ void evaluate_normal(const Material& material, Quantity quantity, Block& block, 
     return;
   }
   normals(material, block);
-  for (std::size_t k = 0; k < block.n; ++k)
-    out[k] = block.density[k] == 0 ? 0 : block.density[k] * (quantity == Quantity::d_cos ? block.m.z[k] : 1);
-}
-
-using WholeKernel = std::pair<kernels::Distribution, kernels::Shadowing>;
-
-/// The kernel that computes the whole BRDF of a material but its Fresnel term, where there is one.
-std::optional<WholeKernel> whole_kernel(const Material& material) {
-  const auto* smith = std::get_if<Smith>(&material.masking);
-  if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return std::nullopt;
-  return std::visit(
-      []<class D, class S>(const D&, const S&) -> std::optional<WholeKernel> {
-        if constexpr (requires { WholeKernel(D::UnitShape::kernel, S::kernel); })
-          return WholeKernel(D::UnitShape::kernel, S::kernel);
-        else
-          return std::nullopt;
-      },
-      material.distribution, material.shadowing);
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const double z = block.m.z[k], d = block.density[k];
+    // P22 = D z^4 of the kernel, which knows the normal as it is: the slope would be a rounded one.
+    const double value = quantity == Quantity::p22 ? (d * (z * z)) * (z * z) : quantity == Quantity::d_cos ? d * z : d;
+    out[k] = d == 0 ? 0 : value;
+  }
 }
 
 /// brdf and brdf_cos by the whole kernel.
@@ -250,6 +255,24 @@ void evaluate_diffuse(const Material& material, Quantity quantity, const Block& 
                                       format_number(brdf.value) + " (asked: a relative error of 1e-9)");
     out[k] = brdf.value * (quantity == Quantity::brdf_cos ? std::max(0.0, material.slopes().project(i).c) : 1);
   }
+}
+
+/// brdf and brdf_cos where only the form of shadowing has no kernel: the BRDF with the masking of heights alone, times
+/// how much more the two directions see. The half vector is not rounded on the way.
+void evaluate_by_heights(const Material& material, kernels::Distribution distribution, Quantity quantity, Block& block,
+                         std::size_t stride, double* out) {
+  shadow(material, block);
+  const Side& v = block.viewer;
+  const Side& l = block.light;
+  Buffer value;
+  kernels::brdf(material.slopes().stretch(), distribution, kernels::Shadowing::height_correlated, vectors(block.o),
+                vectors(block.i), value.data(), block.n);
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const double inverse_by_heights = v.c[k] * l.c[k] + l.c[k] * v.t[k] + v.c[k] * l.t[k];
+    const double ratio = block.visibility[k] * inverse_by_heights;
+    value[k] = value[k] == 0 || ratio == 0 ? 0 : value[k] * (quantity == Quantity::brdf_cos ? ratio * l.c[k] : ratio);
+  }
+  colour(material, block, value, stride, out);
 }
 
 /// Quantities of both directions: g2, brdf, brdf_cos.
@@ -309,6 +332,7 @@ void evaluate(const Material& material, Quantity quantity, const Batch& batch, d
   require(material, quantities()[static_cast<std::size_t>(quantity)], bool(batch.o), bool(batch.i), bool(batch.m));
   const bool has_m = batch.m || (batch.o && batch.i);
   const auto kernel = batch.m ? std::nullopt : whole_kernel(material);
+  const auto distribution = batch.m ? std::nullopt : smith_kernel(material);
   Block block;
   for (std::size_t first = 0; first < batch.n; first += block_size) {
     load(block, batch, first);
@@ -333,6 +357,8 @@ void evaluate(const Material& material, Quantity quantity, const Batch& batch, d
         evaluate_diffuse(material, quantity, block, to);
       else if (kernel)
         evaluate_whole(material, *kernel, quantity, block, batch.n, to);
+      else if (distribution)
+        evaluate_by_heights(material, *distribution, quantity, block, batch.n, to);
       else
         evaluate_pair(material, quantity, block, batch.n, to);
       break;

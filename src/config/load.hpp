@@ -28,10 +28,19 @@ struct FigureFile {
 
 FigureFile load_figure(const std::string& path);
 
+/// A table that a CSV file has: what was measured elsewhere, and is shown as it is.
+struct DataTable {
+  std::string id;
+  std::string title;
+  std::string caption;
+  std::string csv;
+  std::vector<std::vector<std::string>> cells; ///< header row first, all of one length
+};
+
 /// One entry of a report: a figure or a table, with its JSON.
 struct ReportEntry {
   std::string section;
-  std::variant<plot::FigureDescription, PropertyTableDescription> what;
+  std::variant<plot::FigureDescription, PropertyTableDescription, DataTable> what;
   std::string json;
 };
 

@@ -1,7 +1,9 @@
+#include "analysis/stream_rows.hpp"
 #include "config/load.hpp"
 #include "config/model_json.hpp"
 #include "config/shapes.hpp"
 #include "math/errors.hpp"
+#include "math/text_files.hpp"
 #include "microfacet/registry.hpp"
 
 #include <filesystem>
@@ -37,6 +39,15 @@ ShapePtr table_shape() {
                     "roughnesses tried of each distribution that has none of its own"},
                    {"theta_o", array(angle(), 1), true, "angles of the viewer tried"},
                    {"tolerance", number({.min = 1e-12, .max = 1e-1}), false, "a residual up to this counts as zero"}});
+  });
+}
+
+ShapePtr data_shape() {
+  return named("data", [] {
+    return object({{"id", file_stem(), true, "name of its files"},
+                   {"title", text(), true, "above the table"},
+                   {"caption", text(), true, "what it shows"},
+                   {"file", text(), true, "path of a CSV with a header line, relative to this file"}});
   });
 }
 
@@ -77,13 +88,43 @@ PropertyTableDescription read_table(const Json& value) {
   return table;
 }
 
+/// The fields of every row of a CSV. \throws InputError where a row has another number of them than the first.
+std::vector<std::vector<std::string>> read_cells(const std::string& name, const std::string& csv) {
+  std::vector<std::vector<std::string>> cells;
+  for (FieldScanner scanner(csv); !scanner.at_end();) {
+    const std::string where = name + ":" + std::to_string(scanner.lines() + 1);
+    std::vector<std::string> row;
+    do row.push_back(unquoted(scanner.next()));
+    while (!scanner.row_ended());
+    if (!cells.empty() && row.size() != cells.front().size())
+      throw InputError(where, "found " + std::to_string(row.size()) + " fields, the header has " +
+                                  std::to_string(cells.front().size()));
+    cells.push_back(std::move(row));
+  }
+  if (cells.size() < 2) throw InputError(name, "accepted: a CSV with a header line and rows");
+  return cells;
+}
+
+DataTable read_data(const JsonFile& file, const std::string& pointer, const Json& value) {
+  const std::filesystem::path here = file.file(pointer + "/file");
+  const std::string name = (here.parent_path() / value["file"].get<std::string>()).string();
+  DataTable table{value["id"].get<std::string>(),
+                  value["title"].get<std::string>(),
+                  value["caption"].get<std::string>(),
+                  read_text_file(name),
+                  {}};
+  table.cells = read_cells(name, table.csv);
+  return table;
+}
+
 } // namespace
 
 ShapePtr report_shape() {
   const ShapePtr entry = object_with_alternatives({{"section", text(), true, "heading under which it stands"},
                                                    {"figure", text(), false, "path of a figure, relative to this file"},
-                                                   {"table", table_shape(), false, "a table of properties"}},
-                                                  {{"figure"}, {"table"}});
+                                                   {"table", table_shape(), false, "a table of properties"},
+                                                   {"data", data_shape(), false, "a table that a CSV file has"}},
+                                                  {{"figure"}, {"table"}, {"data"}});
   return object({{"title", text(), true, "of the page"},
                  {"introduction", text(), false, "paragraphs, separated by an empty line"},
                  {"entries", array(entry, 1), true, "figures and tables, in order"}},
@@ -111,6 +152,11 @@ ReportFile load_report(const std::string& path) {
       id = figure.figure.id;
       out.what = std::move(figure.figure);
       out.json = std::move(figure.json);
+    } else if (entry.contains("data")) {
+      DataTable table = read_data(file, pointer + "/data", entry["data"]);
+      id = table.id;
+      out.what = std::move(table);
+      out.json = entry["data"].dump(2) + "\n";
     } else {
       PropertyTableDescription table = read_table(entry["table"]);
       check_models(table, file, pointer + "/table");

@@ -30,6 +30,12 @@ inline double direction_factor(DirectionFactor which, double phi) {
   return which == DirectionFactor::ashikhmin ? -std::expm1(-7.3 * phi * phi) : 4.41 * phi / (4.41 * phi + 1);
 }
 
+/// 1 - lambda(phi), without the difference: where one side is grazing it weighs the smaller G1 against a product that
+/// is smaller still.
+inline double direction_complement(DirectionFactor which, double phi) {
+  return which == DirectionFactor::ashikhmin ? std::exp(-7.3 * phi * phi) : 1 / (4.41 * phi + 1);
+}
+
 /// The declaration of `lambda` and its reading, shared by the two types that have it.
 inline ParameterSpec direction_factor_parameter() {
   return {.key = "lambda",
@@ -112,7 +118,8 @@ struct DirectionCorrelated {
   static constexpr bool compares = true;
   double visibility(const MaskedPair& p) const {
     const double factor = direction_factor(lambda, p.azimuth_difference);
-    return factor / (p.u_o * p.u_i) + (1 - factor) * minimum_visibility(p);
+    const double complement = direction_complement(lambda, p.azimuth_difference);
+    return factor / (p.u_o * p.u_i) + complement * minimum_visibility(p);
   }
 };
 

@@ -60,18 +60,20 @@ struct Rows {
   std::vector<Row> d, brdf;
 
   Rows(const std::string& isa, const std::string& domain)
-      : c("c", type_name<T>(), isa, domain, single() ? float_projection : projection),
-        s("s", type_name<T>(), isa, domain, single() ? float_projection : projection) {
+      : c("c", type_name<T>(), isa, domain, single() ? bounds::float_projected_area : bounds::projected_area),
+        s("s", type_name<T>(), isa, domain,
+          single() ? bounds::float_projected_roughness : bounds::projected_roughness) {
     for (std::size_t m = 0; m < 2; ++m) {
-      d.emplace_back("D (" + std::string(model_names[m]) + ")", type_name<T>(), isa, domain,
-                     single() ? float_density
-                     : m == 0 ? density_beckmann
-                              : density);
+      const std::string model = model_names[m];
+      d.emplace_back("D (" + model + ")", type_name<T>(), isa, domain,
+                     single() ? bounds::float_d
+                     : m == 0 ? bounds::d_beckmann
+                              : bounds::d_ggx);
       for (const char* form : form_names)
-        brdf.emplace_back("BRDF (" + std::string(model_names[m]) + "; " + form + ")", type_name<T>(), isa, domain,
-                          single() ? float_brdf
-                          : m == 0 ? brdf_beckmann
-                                   : accuracy::brdf);
+        brdf.emplace_back("BRDF (" + model + "; " + form + ")", type_name<T>(), isa, domain,
+                          single() ? bounds::float_brdf
+                          : m == 0 ? bounds::brdf_beckmann
+                                   : bounds::brdf_ggx);
     }
   }
   static constexpr bool single() { return sizeof(T) == sizeof(float); }

@@ -19,9 +19,9 @@ double draw_cosine(Random& random) {
 } // namespace
 
 TEST_CASE("accuracy: Fresnel") {
-  Row schlick("Fresnel (Schlick)", "double", "scalar", "f0 in [0; 1]", fresnel);
-  Row dielectric("Fresnel (dielectric)", "double", "scalar", "eta in [1.3; 4]", fresnel);
-  Row conductor("Fresnel (conductor)", "double", "scalar", "eta in [0.05; 5]; k in [0.5; 10]", fresnel);
+  Row schlick("Fresnel (Schlick)", "double", "scalar", "f0 in [0; 1]", bounds::schlick);
+  Row dielectric("Fresnel (dielectric)", "double", "scalar", "eta in [1.3; 4]", bounds::dielectric);
+  Row conductor("Fresnel (conductor)", "double", "scalar", "eta in [0.05; 5]; k in [0.5; 10]", bounds::conductor);
   Random random(6);
   for (std::size_t n = 0; n < inputs_per_row(); ++n) {
     const double c = draw_cosine(random), f0 = random.uniform(), eta = random.uniform(1.3, 4);

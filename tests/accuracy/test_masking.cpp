@@ -1,6 +1,7 @@
 /// Lambda, masked area, sigma and G1: the scalar functions and the kernels, by the ratio a = c / s.
 #include "accuracy/measure.hpp"
 #include "microfacet/beckmann_lambda.hpp"
+#include "microfacet/distributions/beckmann.hpp"
 #include "microfacet/distributions/ggx.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -24,9 +25,9 @@ double draw_a(Random& random, const std::string& domain, double largest) {
   return random.log_uniform(26, 27.5);
 }
 
-void check_scalar(const char* name, double (*function)(double), reference::Model model, bool times_a,
+void check_scalar(const char* name, Bound bound, double (*function)(double), reference::Model model, bool times_a,
                   const std::string& domain) {
-  Row row(name, "double", "scalar", domain, scalar_lambda);
+  Row row(name, "double", "scalar", domain, bound);
   Random random(1);
   for (std::size_t k = 0; k < inputs_per_row(); ++k) {
     const double a = domain == "bit patterns" ? random.pattern(0x1p-1000, quad_is_enough) : draw_a(random, domain, 30);
@@ -67,6 +68,13 @@ void g1_of(const T* c, const T* s, T* out, std::size_t n) {
 template <class T>
 using Kernel = void (*)(const T*, const T*, T*, std::size_t);
 
+template <class T>
+Bound lambda_bound(reference::Model model) {
+  const bool beckmann = model == reference::Model::beckmann;
+  if (sizeof(T) == sizeof(float)) return beckmann ? bounds::float_lambda_beckmann : bounds::float_lambda_ggx;
+  return beckmann ? bounds::lambda_beckmann : bounds::lambda_ggx;
+}
+
 template <class T, reference::Model model>
 std::vector<Function<T>> functions() {
   constexpr bool beckmann = model == reference::Model::beckmann;
@@ -76,12 +84,17 @@ std::vector<Function<T>> functions() {
   const auto exact_sigma = [](const Quad& c, const Quad& s) { return Quad(c + tau(model, c, s)); };
   const auto exact_lambda = [](const Quad& c, const Quad& s) { return reference::lambda(model, Quad(c / s)); };
   const auto exact_g1 = [](const Quad& c, const Quad& s) { return Quad(c / (c + tau(model, c, s))); };
+  using namespace bounds;
   const bool single = sizeof(T) == sizeof(float);
-  return {
-      {beckmann ? "c Lambda (Beckmann)" : "c Lambda (GGX)", single ? float_masking : masked_area, area, exact_tau},
-      {beckmann ? "sigma (Beckmann)" : "sigma (GGX)", single ? float_masking : sigma, sigma_of<T, area>, exact_sigma},
-      {beckmann ? "G1 (Beckmann)" : "G1 (GGX)", single ? float_masking : g1, g1_of<T, area>, exact_g1},
-      {beckmann ? "Lambda (Beckmann)" : "Lambda (GGX)", single ? float_masking : lambda, lambda_kernel, exact_lambda}};
+  const Bound area_bound = single ? (beckmann ? float_masked_area_beckmann : float_masked_area_ggx)
+                                  : (beckmann ? masked_area_beckmann : masked_area_ggx);
+  const Bound sigma_bound =
+      single ? (beckmann ? float_sigma_beckmann : float_sigma_ggx) : (beckmann ? sigma_beckmann : sigma_ggx);
+  const Bound g1_bound = single ? (beckmann ? float_g1_beckmann : float_g1_ggx) : (beckmann ? g1_beckmann : g1_ggx);
+  return {{beckmann ? "c Lambda (Beckmann)" : "c Lambda (GGX)", area_bound, area, exact_tau},
+          {beckmann ? "sigma (Beckmann)" : "sigma (GGX)", sigma_bound, sigma_of<T, area>, exact_sigma},
+          {beckmann ? "G1 (Beckmann)" : "G1 (GGX)", g1_bound, g1_of<T, area>, exact_g1},
+          {beckmann ? "Lambda (Beckmann)" : "Lambda (GGX)", lambda_bound<T>(model), lambda_kernel, exact_lambda}};
 }
 
 template <class T>
@@ -130,6 +143,19 @@ void check_kernel(const Function<T>& function, const std::string& domain) {
   });
 }
 
+/// sigma = c + c Lambda of the models, one projection after the other.
+template <class Model>
+void check_scalar_sigma(const char* name, Bound bound, reference::Model model, const std::string& domain) {
+  Row row(name, "double", "scalar", domain, bound);
+  const Pairs<double> in = draw_pairs<double>(domain, inputs_per_row());
+  for (std::size_t k = 0; k < in.c.size(); ++k) {
+    const Quad c = in.c[k], s = in.s[k];
+    row.add(ulp_error(in.c[k] + Model{}.masked_area({in.c[k], in.s[k]}), Quad(c + tau(model, c, s))),
+            [&] { return "c = " + text(in.c[k]) + " s = " + text(in.s[k]); });
+  }
+  finish(row);
+}
+
 template <class T>
 void check_of_a(const char* name, void (*kernel)(const T*, T*, std::size_t), reference::Model model,
                 const std::string& domain) {
@@ -144,7 +170,7 @@ void check_of_a(const char* name, void (*kernel)(const T*, T*, std::size_t), ref
   for_each_isa([&](const std::string& isa) {
     std::vector<T> out(a.size());
     kernel(a.data(), out.data(), out.size());
-    Row row(name, type_name<T>(), isa, domain, sizeof(T) == sizeof(float) ? float_masking : lambda);
+    Row row(name, type_name<T>(), isa, domain, lambda_bound<T>(model));
     for (std::size_t k = 0; k < out.size(); ++k)
       row.add(ulp_error(out[k], exact[k]), [&] { return "a = " + text(static_cast<double>(a[k])); });
     finish(row);
@@ -165,9 +191,18 @@ void check_kernels() {
 
 TEST_CASE("accuracy: scalar Lambda") {
   for (const char* domain : {"a in [0; 30]", "a log-uniform", "subnormal results", "bit patterns"}) {
-    check_scalar("Lambda (Beckmann)", beckmann_lambda, reference::Model::beckmann, false, domain);
-    check_scalar("a Lambda (Beckmann)", beckmann_a_lambda, reference::Model::beckmann, true, domain);
-    check_scalar("a Lambda (GGX)", ggx_a_lambda, reference::Model::ggx, true, domain);
+    check_scalar("Lambda (Beckmann)", bounds::scalar_lambda_beckmann, beckmann_lambda, reference::Model::beckmann,
+                 false, domain);
+    check_scalar("a Lambda (Beckmann)", bounds::scalar_a_lambda_beckmann, beckmann_a_lambda, reference::Model::beckmann,
+                 true, domain);
+    check_scalar("a Lambda (GGX)", bounds::scalar_a_lambda_ggx, ggx_a_lambda, reference::Model::ggx, true, domain);
+  }
+}
+
+TEST_CASE("accuracy: scalar sigma") {
+  for (const char* domain : {"a in [0; 30]", "a log-uniform", "subnormal results", "bit patterns"}) {
+    check_scalar_sigma<Beckmann>("sigma (Beckmann)", bounds::scalar_sigma_beckmann, reference::Model::beckmann, domain);
+    check_scalar_sigma<Ggx>("sigma (GGX)", bounds::scalar_sigma_ggx, reference::Model::ggx, domain);
   }
 }
 
@@ -177,7 +212,7 @@ TEST_CASE("accuracy: masking kernels, float") { check_kernels<float>(); }
 
 TEST_CASE("accuracy: GGX for a up to 1e300") {
   for_each_isa([](const std::string& isa) {
-    Row row("Lambda (GGX)", "double", isa, "a to 1e300", lambda);
+    Row row("Lambda (GGX)", "double", isa, "a to 1e300", bounds::lambda_ggx);
     Random random(3);
     const std::size_t n = std::min<std::size_t>(inputs_per_row() / 20, 10000);
     for (std::size_t k = 0; k < n; ++k) {
@@ -195,7 +230,8 @@ TEST_CASE("accuracy: below the horizon of the mesosurface") {
   for_each_isa([](const std::string& isa) {
     for (const auto model : {reference::Model::beckmann, reference::Model::ggx}) {
       const bool beckmann = model == reference::Model::beckmann;
-      Row row(beckmann ? "c Lambda (Beckmann)" : "c Lambda (GGX)", "double", isa, "c < 0", masked_area);
+      Row row(beckmann ? "c Lambda (Beckmann)" : "c Lambda (GGX)", "double", isa, "c < 0",
+              beckmann ? bounds::masked_area_beckmann : bounds::masked_area_ggx);
       Random random(4);
       for (std::size_t k = 0; k < inputs_per_row(); ++k) {
         const double s = random.log_uniform(1e-6, 1e3), c = -s * random.log_uniform(1e-8, 1e3);
@@ -214,7 +250,7 @@ TEST_CASE_TEMPLATE("accuracy: Walter's fit", T, double, float) {
   for_each_isa([&](const std::string& isa) {
     std::vector<T> out(in.c.size());
     kernels::masked_area_beckmann_walter(in.c.data(), in.s.data(), out.data(), out.size());
-    Row row("c Lambda (Walter's fit)", type_name<T>(), isa, "a log-uniform", walter);
+    Row row("c Lambda (Walter's fit)", type_name<T>(), isa, "a log-uniform", bounds::walter);
     for (std::size_t k = 0; k < out.size(); ++k) {
       const Quad c = in.c[k], s = in.s[k], a = c / s;
       // The unit is that of the sum of the terms, not of their difference.

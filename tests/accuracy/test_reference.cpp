@@ -92,4 +92,9 @@ TEST_CASE("reference: known values") {
   CHECK(close(reference::conductor(Quad(1), Quad(0.2), Quad(3)), (0.64 + 9) / (1.44 + 9)));
   CHECK(close(reference::conductor(Quad(0.3), Quad(1.5), Quad(0)),
               static_cast<double>(reference::dielectric(Quad(0.3), Quad(1.5)))));
+  // atan2(3, -4)
+  const Quad phi = reference::azimuth_difference<Quad>({Quad(1), Quad(0), Quad(0)}, {Quad(-4), Quad(3), Quad(0)});
+  CHECK(close(phi, 2.4980915447965089));
+  CHECK(abs(Quad(sin(phi) / cos(phi) + Quad(0.75))) < 1e-32);
+  CHECK(reference::azimuth_difference<Quad>({Quad(0), Quad(0), Quad(1)}, {Quad(1), Quad(0), Quad(0)}) == 0);
 }

@@ -55,6 +55,27 @@ TEST_CASE("fields of rows") {
   CHECK(fields_of("\"a\"") == Fields{"\"a\"", "|cut"});
 }
 
+TEST_CASE("fields that are numbers") {
+  const std::string text = "1.5,-2e-320\n80deg,+1, 1,inf,1e999,\"7\n\"\n4\r\n5";
+  FieldScanner scanner(text);
+  double number = 0;
+  CHECK(scanner.next_number(number));
+  CHECK(number == 1.5);
+  CHECK_FALSE(scanner.row_ended());
+  CHECK(scanner.next_number(number));
+  CHECK(number == -2e-320);
+  CHECK(scanner.row_ended());
+  CHECK(scanner.lines() == 1);
+  for (const char* other : {"80deg", "+1", " 1", "inf", "1e999", "\"7\n\"", "4", "5"}) {
+    CHECK_FALSE(scanner.next_number(number));
+    CHECK(number == -2e-320);
+    CHECK(scanner.next() == other);
+  }
+  CHECK(scanner.lines() == 4);
+  CHECK(scanner.at_end());
+  CHECK_FALSE(scanner.next_number(number));
+}
+
 TEST_CASE("fields without their quotes") {
   CHECK(unquoted(" a b\t") == "a b");
   CHECK(unquoted("\"a \"\"b\"\"\"") == "a \"b\"");

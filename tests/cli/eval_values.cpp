@@ -34,6 +34,26 @@ TEST_CASE("GGX of roughness 1 at 60 degrees") {
   CHECK(row[4] == doctest::Approx(2.0 / 3 * std::numbers::inv_pi).epsilon(1e-14)); // G1 <o,m> D / c
 }
 
+TEST_CASE("single precision: the shortest form that reads back to a float") {
+  const Folder folder;
+  const std::string command = "brdfplot eval configs/materials/ggx.json -q lambda,g1 --precision ";
+  const std::string points = " -i configs/points/theta_o.csv";
+  CHECK(check_output(folder, command + "double" + points) ==
+        check_output(folder, "brdfplot eval configs/materials/ggx.json -q lambda,g1" + points));
+  const auto exact = cells(check_output(folder, command + "double" + points));
+  const auto single = cells(check_output(folder, command + "single" + points));
+  REQUIRE(single.size() == exact.size());
+  CHECK(single[0] == exact[0]);
+  for (std::size_t row = 1; row < exact.size(); ++row)
+    for (std::size_t column = 1; column < 3; ++column) {
+      CHECK(std::stof(single[row][column]) == doctest::Approx(std::stod(exact[row][column])).epsilon(1e-6));
+      CHECK(single[row][column].size() < 13);
+    }
+  check_error(folder, command + "half" + points, 2, {"--precision: ", "\"half\"", "accepted: double, single"});
+  check_error(folder, "brdfplot eval configs/materials/ggx.json -q g1,albedo --precision single" + points, 2,
+              {"--precision: ", "\"albedo\"", "accepted: double"});
+}
+
 TEST_CASE("BRDF of GGX of roughness 1 along the normal") {
   const auto row = values(ggx, "theta_o,theta_i\n0,0\n", "brdf,brdf_cos,g2", 2);
   CHECK(row[0] == doctest::Approx(std::numbers::inv_pi / 4).epsilon(1e-14)); // D / 4

@@ -11,7 +11,8 @@ const std::string manifest = R"({
   "entries": [
     {"section": "Curves", "figure": "curve.json"},
     {"section": "Tables", "table": {"id": "properties", "title": "Properties^{2}", "caption": "Up to 10^{-6}.",
-      "maskings": ["smith", "implicit"], "distributions": ["beckmann", "ggx"], "alpha": [0.3], "theta_o": ["60deg"]}}
+      "maskings": ["smith", "implicit"], "distributions": ["beckmann", "ggx"], "alpha": [0.3], "theta_o": ["60deg"]}},
+    {"section": "Tables", "data": {"id": "measured", "title": "Measured", "caption": "Elsewhere.", "file": "data.csv"}}
   ]})";
 
 const std::string curve = R"({"id": "curve", "kind": "lines", "title": "A curve", "caption": "One.",
@@ -22,6 +23,7 @@ const std::string curve = R"({"id": "curve", "kind": "lines", "title": "A curve"
 void write_report(const Folder& folder) {
   folder.write("report.json", manifest);
   folder.write("curve.json", curve);
+  folder.write("data.csv", "function,error\nf,0.5\n");
 }
 
 } // namespace
@@ -32,7 +34,11 @@ TEST_CASE("the folder of a report") {
   CHECK(check_output(folder, "brdfplot report report.json -o out") == "");
   CHECK(folder.list("out") == std::vector<std::string>{"figures", "index.html", "report.json", "tables"});
   CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
-  CHECK(folder.list("out/tables") == std::vector<std::string>{"properties.csv", "properties.md"});
+  CHECK(folder.list("out/tables") ==
+        std::vector<std::string>{"measured.csv", "measured.md", "properties.csv", "properties.md"});
+  CHECK(folder.read("out/tables/measured.csv") == folder.read("data.csv"));
+  CHECK(folder.read("out/tables/measured.md") ==
+        "# Measured\n\nElsewhere.\n\n| function | error |\n| --- | --- |\n| f | 0.5 |\n");
 
   const auto rows = cells(folder.read("out/tables/properties.csv"));
   REQUIRE(rows.size() == 5);
@@ -55,7 +61,7 @@ TEST_CASE("the folder of a report") {
   CHECK(markdown.find('{') == std::string::npos);
 
   const auto record = nlohmann::json::parse(folder.read("out/report.json"));
-  REQUIRE(record.at("entries").size() == 2);
+  REQUIRE(record.at("entries").size() == 3);
   for (const auto& entry : record["entries"])
     for (const auto& file : entry.at("files")) CHECK(folder.has("out/" + file.get<std::string>()));
   CHECK(record["entries"][1].at("rows").size() == 4);
@@ -81,7 +87,8 @@ TEST_CASE("a report removes what it wrote earlier, and nothing else") {
     folder.write(name, "old");
   check_output(folder, "brdfplot report report.json -o out");
   CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg", "kept.svg", "notes.txt"});
-  CHECK(folder.list("out/tables") == std::vector<std::string>{"properties.csv", "properties.md"});
+  CHECK(folder.list("out/tables") ==
+        std::vector<std::string>{"measured.csv", "measured.md", "properties.csv", "properties.md"});
   CHECK(folder.has("out/mine.csv"));
   CHECK(folder.read("out/figures/curve.csv") != "old");
 }

@@ -65,6 +65,16 @@ TEST_CASE("what is misspelt names the nearest") {
   check_error(folder, "brdfplot list fresnell", 2, {"\"fresnell\"", "did you mean \"fresnel\"?"});
 }
 
+TEST_CASE("the instruction set that BRDFPLOT_ISA asks for") {
+  const Folder folder;
+  const std::string eval =
+      "brdfplot eval configs/materials/ggx.json -q lambda -i configs/points/theta_o.csv --precision single";
+  CHECK(check_output(folder, "BRDFPLOT_ISA=baseline " + eval).starts_with("theta_o,lambda\n"));
+  check_error(folder, "BRDFPLOT_ISA=sse9 " + eval, 2,
+              {"BRDFPLOT_ISA: found \"sse9\"", "accepted on this machine: baseline"});
+  check_error(folder, "BRDFPLOT_ISA= brdfplot list", 2, {"BRDFPLOT_ISA: found \"\""});
+}
+
 TEST_CASE("wrong values and numbers of arguments") {
   const Folder folder;
   for (const char* value : {"0", "-1", "x", "1.5", "99999999999"})

@@ -161,3 +161,29 @@ TEST_CASE("the record of a report") {
   CHECK(json["entries"][1]["rows"][0]["energy"]["max_residual"].is_null());
   CHECK(json["entries"][1]["rows"][0]["energy"]["verdict"] == "unknown");
 }
+
+TEST_CASE("reports: a table of data is a CSV, as it stands") {
+  const TempFolder folder;
+  const std::string csv = "function,\"worst, of all\"\nf,\"x = 1, \"\"y\"\"\"\ng,2\n";
+  folder.write("data/t.csv", csv);
+  const auto manifest = [&](const std::string& name) {
+    return folder.write("reports/r.json", R"({"title": "T", "entries": [{"section": "s", "data": {"id": "t",
+      "title": "Table", "caption": "", "file": "../data/)" +
+                                              name + R"("}}]})");
+  };
+  const auto report = config::load_report(manifest("t.csv"));
+  REQUIRE(report.entries.size() == 1);
+  const auto& data = std::get<config::DataTable>(report.entries[0].what);
+  CHECK(data.id == "t");
+  CHECK(data.csv == csv);
+  const std::vector<std::vector<std::string>> cells = {
+      {"function", "worst, of all"}, {"f", "x = 1, \"y\""}, {"g", "2"}};
+  CHECK(data.cells == cells);
+
+  folder.write("data/short.csv", "a,b\n1,2\n3\n");
+  CHECK(contains(error_of(folder, 2, [&] { config::load_report(manifest("short.csv")); }),
+                 "short.csv:3: found 1 fields, the header has 2"));
+  folder.write("data/empty.csv", "a,b\n");
+  CHECK(contains(error_of(folder, 2, [&] { config::load_report(manifest("empty.csv")); }), "a header line and rows"));
+  CHECK_THROWS_AS(config::load_report(manifest("none.csv")), FileError);
+}

@@ -10,6 +10,9 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/erf.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace brdfplot::reference {
 
 template <class R>
@@ -94,6 +97,24 @@ R sigma(Model model, const Stretch<R>& k, const Vector<R>& omega) {
 template <class R>
 R g1(Model model, const Stretch<R>& k, const Vector<R>& omega) {
   return mesosurface_area(k, omega) > 0 ? R(1 / (1 + lambda(model, k, omega))) : R(0);
+}
+
+/// The angle in [0, pi] between the projections of two directions to the plane; 0 where one has none. By Newton's
+/// method from the angle in double: Boost 1.74 has atan2 of a float128 to some 50 bits only.
+template <class R>
+R azimuth_difference(const Vector<R>& o, const Vector<R>& i) {
+  using std::abs, std::atan2, std::cos, std::sin;
+  const R cross = o.x * i.y - o.y * i.x, along = o.x * i.x + o.y * i.y;
+  const R across = cross < 0 ? R(-cross) : cross, size = across > abs(along) ? across : R(abs(along));
+  if (size == 0) return R(0);
+  const R x = along / size, y = across / size;
+  R phi = atan2(static_cast<double>(y), static_cast<double>(x));
+  for (R step = 1; abs(R(step * step * step)) > std::numeric_limits<R>::epsilon();) {
+    const R c = cos(phi), s = sin(phi);
+    step = (y * c - x * s) / (x * c + y * s);
+    phi += step;
+  }
+  return phi;
 }
 
 /// The factors of Eqs. 100 and 101; phi in [0, pi].

@@ -129,7 +129,7 @@ std::optional<std::string> isa_request_error() {
   if (request == nullptr || requested_isa()) return std::nullopt;
   std::string accepted;
   for (const Isa isa : available_isas()) accepted.append(accepted.empty() ? "" : ", ").append(name(isa));
-  return "BRDFPLOT_ISA is \"" + std::string(request) + "\"; accepted on this machine: " + accepted;
+  return "found \"" + std::string(request) + "\"; accepted on this machine: " + accepted;
 }
 
 bool use_isa(Isa isa) {

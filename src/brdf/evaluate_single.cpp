@@ -1,0 +1,114 @@
+#include "brdf/evaluate_single.hpp"
+
+#include "brdf/kernel_choice.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace brdfplot {
+
+namespace {
+
+constexpr std::size_t block_size = 256;
+using Buffer = std::array<float, block_size>;
+using kernels::Distribution;
+
+/// Vectors of a block, rounded to float.
+struct Rounded {
+  Buffer x, y, z;
+
+  Rounded(const Columns& columns, std::size_t first, std::size_t n) {
+    for (std::size_t k = 0; columns && k < n; ++k) {
+      x[k] = static_cast<float>(columns.x[first + k]);
+      y[k] = static_cast<float>(columns.y[first + k]);
+      z[k] = static_cast<float>(columns.z[first + k]);
+    }
+  }
+  kernels::Vectors<float> view() const { return {x.data(), y.data(), z.data()}; }
+};
+
+/// What the float kernels of one quantity are called with.
+struct Call {
+  kernels::Stretch stretch;
+  Distribution distribution;
+  kernels::Shadowing shadowing;
+};
+
+/// The call that computes `quantity`, where there are float kernels for it: for Beckmann and GGX, of lambda and g1 with
+/// Smith masking, of d, and of the BRDF with F = 1 and a form of shadowing that has a kernel.
+std::optional<Call> call_for(const Material& material, Quantity quantity, const Batch& batch) {
+  const auto call = [&](std::optional<Distribution> distribution) -> std::optional<Call> {
+    if (!distribution) return std::nullopt;
+    return Call{material.slopes().stretch(), *distribution, kernels::Shadowing::none};
+  };
+  const bool half_vector = !batch.m && batch.i;
+  switch (quantity) {
+  case Quantity::lambda: return call(smith_kernel(material));
+  case Quantity::g1: return half_vector ? std::nullopt : call(smith_kernel(material));
+  case Quantity::d:
+  case Quantity::d_cos: return half_vector ? std::nullopt : call(density_kernel(material));
+  case Quantity::brdf:
+  case Quantity::brdf_cos: {
+    const auto whole = whole_kernel(material);
+    if (!whole || batch.m || material.facet != Facet::specular || !std::holds_alternative<NoFresnel>(material.fresnel))
+      return std::nullopt;
+    return Call{material.slopes().stretch(), whole->first, whole->second};
+  }
+  default: return std::nullopt;
+  }
+}
+
+void mask(const Call& call, Quantity quantity, const Rounded& o, const Rounded& m, bool has_m, std::size_t n,
+          float* out) {
+  const bool beckmann = call.distribution == Distribution::beckmann;
+  Buffer c, s;
+  kernels::project(call.stretch, o.view(), c.data(), s.data(), n);
+  if (quantity == Quantity::lambda)
+    return beckmann ? kernels::lambda_beckmann(c.data(), s.data(), out, n)
+                    : kernels::lambda_ggx(c.data(), s.data(), out, n);
+  beckmann ? kernels::masked_area_beckmann(c.data(), s.data(), out, n)
+           : kernels::masked_area_ggx(c.data(), s.data(), out, n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const float facing = o.x[k] * m.x[k] + o.y[k] * m.y[k] + o.z[k] * m.z[k];
+    const bool seen = c[k] > 0 && (!has_m || (facing > 0 && m.z[k] > 0));
+    out[k] = seen ? c[k] / (c[k] + out[k]) : 0;
+  }
+}
+
+void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t first, std::size_t n, float* out) {
+  const Rounded o(batch.o, first, n), i(batch.i, first, n), m(batch.m, first, n);
+  switch (quantity) {
+  case Quantity::lambda:
+  case Quantity::g1: return mask(call, quantity, o, m, bool(batch.m), n, out);
+  case Quantity::d:
+  case Quantity::d_cos:
+    call.distribution == Distribution::beckmann ? kernels::d_beckmann(call.stretch, m.view(), out, n)
+                                                : kernels::d_ggx(call.stretch, m.view(), out, n);
+    if (quantity == Quantity::d_cos)
+      for (std::size_t k = 0; k < n; ++k) out[k] *= m.z[k];
+    return;
+  default: kernels::brdf(call.stretch, call.distribution, call.shadowing, o.view(), i.view(), out, n);
+  }
+  if (quantity != Quantity::brdf_cos) return;
+  Buffer c, s;
+  kernels::project(call.stretch, i.view(), c.data(), s.data(), n);
+  for (std::size_t k = 0; k < n; ++k) out[k] *= std::max(0.0F, c[k]);
+}
+
+} // namespace
+
+void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out) {
+  const QuantityInfo& info = quantities()[static_cast<std::size_t>(quantity)];
+  require(material, info, bool(batch.o), bool(batch.i), bool(batch.m));
+  if (const auto call = call_for(material, quantity, batch)) {
+    for (std::size_t first = 0; first < batch.n; first += block_size)
+      run(*call, quantity, batch, first, std::min(block_size, batch.n - first), out + first);
+    return;
+  }
+  const auto channels = static_cast<std::size_t>(info.coloured ? material.channels() : 1);
+  std::vector<double> values(batch.n * channels);
+  evaluate(material, quantity, batch, values.data());
+  std::ranges::transform(values, out, [](double value) { return static_cast<float>(value); });
+}
+
+} // namespace brdfplot

@@ -1,0 +1,35 @@
+#include "brdf/kernel_choice.hpp"
+
+namespace brdfplot {
+
+std::optional<kernels::Distribution> density_kernel(const Material& material) {
+  return std::visit(
+      []<class D>(const D&) -> std::optional<kernels::Distribution> {
+        if constexpr (requires { D::UnitShape::kernel; })
+          return D::UnitShape::kernel;
+        else
+          return std::nullopt;
+      },
+      material.distribution);
+}
+
+std::optional<kernels::Distribution> smith_kernel(const Material& material) {
+  const auto* smith = std::get_if<Smith>(&material.masking);
+  if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return std::nullopt;
+  return density_kernel(material);
+}
+
+std::optional<WholeKernel> whole_kernel(const Material& material) {
+  const auto distribution = smith_kernel(material);
+  if (!distribution) return std::nullopt;
+  return std::visit(
+      [&]<class S>(const S&) -> std::optional<WholeKernel> {
+        if constexpr (requires { S::kernel; })
+          return WholeKernel(*distribution, S::kernel);
+        else
+          return std::nullopt;
+      },
+      material.shadowing);
+}
+
+} // namespace brdfplot
