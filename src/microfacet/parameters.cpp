@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace brdfplot {
 
@@ -48,7 +49,7 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
     for (const double x : *rgb)
       if (auto problem = outside(x)) return problem;
   } else if (const auto* parts = std::get_if<WeightedChoices>(&value)) {
-    if (parts->empty()) return "found no component, accepted: one or more";
+    if (parts->size() == 0) return "found no component, accepted: one or more";
     for (const WeightedChoice& part : *parts)
       if (auto problem = outside(part.weight)) return "the weight: " + *problem;
   } else if (const auto& word = std::get<std::string>(value); parameter.kind == ParameterKind::formula) {
@@ -105,6 +106,19 @@ Rgb Values::rgb(std::string_view key) const {
   if (const auto* number = std::get_if<double>(&value)) return {*number, *number, *number};
   return std::get<Rgb>(value);
 }
+
+WeightedChoices::WeightedChoices() = default;
+WeightedChoices::WeightedChoices(std::initializer_list<WeightedChoice> items) : items_(items) {}
+WeightedChoices::WeightedChoices(const WeightedChoices& other) = default;
+WeightedChoices::WeightedChoices(WeightedChoices&& other) noexcept = default;
+WeightedChoices& WeightedChoices::operator=(const WeightedChoices& other) = default;
+WeightedChoices& WeightedChoices::operator=(WeightedChoices&& other) noexcept = default;
+WeightedChoices::~WeightedChoices() = default;
+
+void WeightedChoices::push_back(WeightedChoice item) { items_.push_back(std::move(item)); }
+std::size_t WeightedChoices::size() const { return items_.size(); }
+const WeightedChoice* WeightedChoices::begin() const { return items_.data(); }
+const WeightedChoice* WeightedChoices::end() const { return items_.data() + items_.size(); }
 
 const WeightedChoices& Values::components(std::string_view key) const {
   return std::get<WeightedChoices>(map_.find(key)->second);

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
@@ -17,7 +19,28 @@ namespace brdfplot {
 using Vec2 = std::array<double, 2>;
 using Rgb = std::array<double, 3>;
 struct WeightedChoice;
-using WeightedChoices = std::vector<WeightedChoice>;
+
+/// The components of a mixture. A class, not an alias of the vector, since Value needs it before what it holds is
+/// complete.
+class WeightedChoices {
+public:
+  WeightedChoices();
+  WeightedChoices(std::initializer_list<WeightedChoice> items);
+  WeightedChoices(const WeightedChoices& other);
+  WeightedChoices(WeightedChoices&& other) noexcept;
+  WeightedChoices& operator=(const WeightedChoices& other);
+  WeightedChoices& operator=(WeightedChoices&& other) noexcept;
+  ~WeightedChoices();
+
+  void push_back(WeightedChoice item);
+  std::size_t size() const;
+  const WeightedChoice* begin() const;
+  const WeightedChoice* end() const;
+
+private:
+  std::vector<WeightedChoice> items_;
+};
+
 using Value = std::variant<double, Vec2, Rgb, std::string, WeightedChoices>;
 
 struct ModelSpec;
