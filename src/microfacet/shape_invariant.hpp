@@ -21,7 +21,7 @@ namespace brdfplot {
 template <class Shape>
 struct ShapeInvariant {
   SlopeMap slopes;
-  [[no_unique_address]] Shape shape{};
+  [[no_unique_address]] Shape shape;
 
   static ModelSpec spec() {
     ModelSpec spec = Shape::about();
@@ -38,7 +38,7 @@ struct ShapeInvariant {
     } else if constexpr (requires { Shape::from(values); }) {
       return ShapeInvariant{SlopeMap::from(values), Shape::from(values)};
     } else {
-      return ShapeInvariant{SlopeMap::from(values)};
+      return ShapeInvariant{SlopeMap::from(values), Shape{}};
     }
   }
   static constexpr bool shape_invariant = true;

@@ -22,8 +22,8 @@ constexpr std::size_t lanes = 8;
 
 /// Never freed before the process ends: Embree's threads live as long.
 RTCDevice device() {
-  static const RTCDevice shared = [] {
-    const RTCDevice made = rtcNewDevice(nullptr);
+  static RTCDevice shared = [] {
+    RTCDevice made = rtcNewDevice(nullptr);
     if (made == nullptr) throw std::runtime_error("Embree gives no device");
     return made;
   }();
@@ -120,7 +120,7 @@ struct Tracer::Scene {
     scene = rtcNewScene(device());
     // Robust: without it rays slip through between facets, and a ray below the surface is lost.
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    const RTCGeometry mesh = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_QUAD);
+    RTCGeometry mesh = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_QUAD);
     fill(mesh, field);
     rtcCommitGeometry(mesh);
     rtcAttachGeometry(scene, mesh);

@@ -48,9 +48,9 @@ GaussianProfile GaussianProfile::from(const Values& values) {
   const double alpha = alpha_from(values);
   const double width2 = width(alpha) * width(alpha);
   return remembered<GaussianProfile>(format_number(alpha), [=] {
-    const double log_peak = -std::log(std::numbers::pi * integral(alpha));
-    return GaussianProfile{alpha, log_peak, ALambdaTable([=](double t2) {
-                             return log_slope_density(log_peak, alpha, width2 * t2) + std::log(width2);
+    const double log_of_peak = -std::log(std::numbers::pi * integral(alpha));
+    return GaussianProfile{alpha, log_of_peak, ALambdaTable([=](double t2) {
+                             return log_slope_density(log_of_peak, alpha, width2 * t2) + std::log(width2);
                            })};
   });
 }

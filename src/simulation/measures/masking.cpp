@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace brdfplot::simulation {
 
@@ -21,8 +22,8 @@ double smith_g1(const std::optional<Material>& smith, const Direction& omega) {
 
 class G1 : public Measure {
 public:
-  G1(const MeasureDescription& description, const std::optional<Material>& smith)
-      : id_(description.id), views_(views(description)), smith_(smith) {}
+  G1(const MeasureDescription& description, std::optional<Material> smith)
+      : id_(description.id), views_(views(description)), smith_(std::move(smith)) {}
   std::size_t tasks() const override { return views_.size(); }
   std::size_t width() const override { return width_; }
 
@@ -80,8 +81,8 @@ private:
 /// negative: it faces away), over the horizontal span in which all but a few facets lie.
 class G1ByNormal : public Measure {
 public:
-  G1ByNormal(const MeasureDescription& description, const std::optional<Material>& smith)
-      : id_(description.id), views_(views(description)), smith_(smith),
+  G1ByNormal(const MeasureDescription& description, std::optional<Material> smith)
+      : id_(description.id), views_(views(description)), smith_(std::move(smith)),
         bins_(static_cast<std::size_t>(description.bins)) {}
   std::size_t tasks() const override { return views_.size(); }
   std::size_t width() const override { return 2 * bins_ + 1; }
@@ -139,7 +140,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Material>& smith) {
+std::unique_ptr<Measure> make_g1(const MeasureDescription& description, std::optional<Material> smith) {
   return std::make_unique<G1>(description, smith);
 }
 
