@@ -47,7 +47,7 @@ std::string plain(const Residual& residual) {
 
 std::string with_markup(const Residual& residual) {
   const Short number = shorten(residual.max_residual);
-  const std::string sign(mark(residual.verdict));
+  std::string sign(mark(residual.verdict));
   if (residual.verdict == Verdict::not_applicable) return sign;
   return sign + " " + number.digits + (number.exponent == 0 ? "" : "·10^{" + std::to_string(number.exponent) + "}");
 }

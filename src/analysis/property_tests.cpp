@@ -71,7 +71,7 @@ std::vector<std::optional<Direction>> normals_of(const Material& material) {
       const double u1 = r * std::cos(30 * degree * k), u2 = r * std::sin(30 * degree * k);
       const double x = map.mean_x + map.alpha_x * u1;
       const double y = map.mean_y + map.alpha_y * (map.correlation * u1 + map.decorrelation() * u2);
-      normals.push_back(normalized({-x, -y, 1}));
+      normals.emplace_back(normalized({-x, -y, 1}));
     }
   return normals;
 }

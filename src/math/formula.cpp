@@ -122,7 +122,7 @@ std::optional<FormulaProblem> Formula::problem(const std::string& text, const st
   return std::nullopt;
 }
 
-Formula::Formula(std::string text, std::vector<std::string> variables) : text_(std::move(text)), program_(0) {
+Formula::Formula(std::string text, std::vector<std::string> variables) : text_(std::move(text)) {
   if (const auto wrong = problem(text_, variables)) throw InputError("formula \"" + text_ + "\"", wrong->what);
   program_ = table().add({text_, std::move(variables)});
 }

@@ -35,7 +35,7 @@ public:
 
 private:
   std::string text_;
-  std::size_t program_; ///< in the table of all formulas
+  std::size_t program_ = 0; ///< in the table of all formulas
 };
 
 /// What a formula may use besides its variables: `pi` and the functions, sorted.

@@ -140,7 +140,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Measure> make_g1(const MeasureDescription& description, std::optional<Material> smith) {
+std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Material>& smith) {
   return std::make_unique<G1>(description, smith);
 }
 
