@@ -138,4 +138,12 @@ inline double g1(const Material& m, const Direction& o) {
 /// |x / y - 1|.
 inline double relative(double x, double y) { return x == y ? 0 : std::fabs(x / y - 1); }
 
+/// The same with a masking function that is a formula: of `lambda` or of `g1`.
+inline MaterialDescription with_formula(MaterialDescription description, const std::string& key,
+                                        const std::string& formula) {
+  description.masking = {.type = "custom", .values = {}};
+  description.masking.values.set(key, formula);
+  return description;
+}
+
 } // namespace test

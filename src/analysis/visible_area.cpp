@@ -1,5 +1,6 @@
 #include "analysis/visible_area.hpp"
 
+#include "math/atan_deficit.hpp"
 #include "math/gauss_kronrod.hpp"
 
 #include <numbers>
@@ -10,19 +11,6 @@ namespace {
 
 constexpr std::size_t near_count = 31; ///< nodes of the first integral
 constexpr std::size_t far_count = 61;  ///< and of the second
-
-/// s (s - atan s), by its series where the difference cancels.
-double excess(double s) {
-  if (s > 0.35) return s * (s - std::atan(s));
-  const double s2 = s * s;
-  double power = 1;
-  double sum = 0;
-  for (int k = 3; k <= 37; k += 2) {
-    sum += power / k;
-    power *= -s2;
-  }
-  return s2 * s2 * sum;
-}
 
 /// The first integrand without its density: r^2 = 6 (1 - x) / x, under which distributions of unit roughness, Gaussian
 /// to long-tailed, are nearly polynomials. Infinity is at x = 0, where numbers are dense.
@@ -36,7 +24,7 @@ struct NearMap {
 struct FarMap {
   double scale;
   double s(double x) const { return scale * (1 - x) / x; }
-  double weight(double x) const { return 2 * excess(s(x)) * scale / (x * x); }
+  double weight(double x) const { return 2 * s(x) * s(x) * atan_deficit(s(x)) * scale / (x * x); }
 };
 
 template <std::size_t N>

@@ -47,6 +47,7 @@ void Row::write() const {
 
 void finish(const Row& row) {
   row.write();
+  CHECK_MESSAGE(row.count() > 0, row.label());
   CHECK_MESSAGE(row.largest() <= row.bound(), row.label());
 }
 

@@ -67,6 +67,7 @@ public:
     }
   }
 
+  std::size_t count() const { return count_; }
   double largest() const { return largest_; }
   double bound() const { return bound_.ulp; }
   std::string label() const { return function_ + ", " + type_ + ", " + isa_ + ", " + domain_ + ": " + worst_; }

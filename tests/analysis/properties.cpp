@@ -11,12 +11,6 @@ using namespace test;
 
 namespace {
 
-MaterialDescription with_formula(MaterialDescription description, const std::string& key, const std::string& formula) {
-  description.masking = {.type = "custom", .values = {}};
-  description.masking.values.set(key, formula);
-  return description;
-}
-
 const PropertySearch quick{{0.3, 1.2, 1.5}, 1e-6};
 
 Verdict verdict(Property property, const MaterialDescription& description, const PropertySearch& search = quick) {

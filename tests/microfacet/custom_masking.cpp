@@ -6,12 +6,6 @@ using namespace test;
 
 namespace {
 
-MaterialDescription with_formula(MaterialDescription description, const std::string& key, const std::string& formula) {
-  description.masking = {.type = "custom", .values = {}};
-  description.masking.values.set(key, formula);
-  return description;
-}
-
 const std::string ggx_lambda = "(sqrt(1 + 1 / a^2) - 1) / 2";
 
 } // namespace
