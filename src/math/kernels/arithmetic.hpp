@@ -270,8 +270,8 @@ struct Quotient {
 template <class T>
 struct HalfNumerator {
   static constexpr std::size_t size = sizeof(BeckmannLambdaFit<T>::numerator) / sizeof(T);
-  T values[size];
-  constexpr HalfNumerator() : values{} {
+  T values[size] = {};
+  constexpr HalfNumerator() {
     for (std::size_t k = 0; k < size; ++k) values[k] = BeckmannLambdaFit<T>::numerator[k] / 2;
   }
 };
