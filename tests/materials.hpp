@@ -90,6 +90,10 @@ inline std::vector<MaterialDescription> every_distribution() {
       all.push_back(distribution("student_t", {{"alpha", alpha}, {"gamma", gamma}}));
     for (const double p : {0.4, 2.0}) all.push_back(distribution("exponential_power", {{"alpha", alpha}, {"p", p}}));
   }
+  for (const double sigma : {0.02, 0.5, 3.0}) {
+    all.push_back(distribution("oren_nayar", {{"sigma", sigma}}));
+    all.back().masking.type = "v_cavity"; // Smith's is infinite
+  }
   all.push_back(distribution("phong", {{"exponent", 30}}));
   all.push_back(distribution("velvet", {{"alpha", 0.3}, {"amplitude", 100}}));
   for (const auto& [type, key, value] :

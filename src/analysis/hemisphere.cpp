@@ -62,7 +62,7 @@ Estimate integrate_hemisphere(const Material& material, const Direction& omega_o
         const Direction i = basis.direction(theta, phi[k]);
         const double c_i = std::max(0.0, map.project(i).c);
         const double scale = c_i * weight(i) * std::sin(theta);
-        const Estimate rho = diffuse_brdf(material, omega_o, i, of_rho);
+        const Estimate rho = facet_brdf(material, omega_o, i, of_rho);
         y[k] = rho.value * scale;
         worst_rho = std::max(worst_rho, rho.error * std::fabs(scale));
         evaluations += rho.evaluations;

@@ -2,6 +2,7 @@
 
 #include "brdf/evaluate.hpp"
 #include "brdf/facing_normals.hpp"
+#include "brdf/oren_nayar.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,6 +91,21 @@ Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const 
   };
   const std::array<Direction, 2> both = {omega_o, omega_i};
   return integrate_over_facing(map, both, !constant, integrand, tolerance);
+}
+
+Estimate facet_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
+                    const Tolerance& tolerance) {
+  const auto fitted = [&](OrenNayarFit fit) -> Estimate {
+    const double value =
+        oren_nayar_brdf(fit, std::get<OrenNayar>(material.distribution).profile.sigma, omega_o, omega_i);
+    return {value, 1e-14 * (std::fabs(value) + 1), 1};
+  };
+  switch (material.facet) {
+  case Facet::oren_nayar: return fitted(OrenNayarFit::full);
+  case Facet::oren_nayar_direct: return fitted(OrenNayarFit::direct);
+  case Facet::oren_nayar_qualitative: return fitted(OrenNayarFit::qualitative);
+  default: return diffuse_brdf(material, omega_o, omega_i, tolerance);
+  }
 }
 
 Estimate diffuse_weak_furnace(const Material& material, const Direction& omega_o, double tolerance) {

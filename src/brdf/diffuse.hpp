@@ -15,6 +15,11 @@ namespace brdfplot {
 Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
                       const Tolerance& tolerance = {.relative = 1e-10});
 
+/// rho(o, i) of a material whose facets are no mirrors: diffuse_brdf(), or the fit that its `facet` names, with its
+/// rounding.
+Estimate facet_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
+                    const Tolerance& tolerance = {.relative = 1e-10});
+
 /// Eq. 37, the weak white furnace test for diffuse facets: 1 / (pi c_o) int int <o,m> <i,m> G1(o, m) D(m) dm di over
 /// all directions i, which for every m are taken around m. 1 for a masking function that is physically based.
 /// Domain c_o > 0. `tolerance` is absolute.

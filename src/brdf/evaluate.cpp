@@ -249,7 +249,7 @@ void evaluate_diffuse(const Material& material, Quantity quantity, const Block& 
   constexpr double accepted = 1e-9;
   for (std::size_t k = 0; k < block.n; ++k) {
     const Direction i = at(block.i, k);
-    const Estimate brdf = diffuse_brdf(material, at(block.o, k), i);
+    const Estimate brdf = facet_brdf(material, at(block.o, k), i);
     if (!(brdf.error <= accepted * std::fabs(brdf.value)) && brdf.error > 0)
       throw AccuracyError("brdf", "reached an error estimate of " + format_number(brdf.error) + " for a value of " +
                                       format_number(brdf.value) + " (asked: a relative error of 1e-9)");
@@ -353,7 +353,7 @@ void evaluate(const Material& material, Quantity quantity, const Batch& batch, d
     case Quantity::g2: evaluate_pair(material, quantity, block, batch.n, to); break;
     case Quantity::brdf:
     case Quantity::brdf_cos:
-      if (material.facet == Facet::diffuse)
+      if (material.facet != Facet::specular)
         evaluate_diffuse(material, quantity, block, to);
       else if (kernel)
         evaluate_whole(material, *kernel, quantity, block, batch.n, to);

@@ -61,7 +61,8 @@ bool set_in(ModelChoice& choice, const std::string& key, double value) {
 } // namespace
 
 const std::vector<std::string>& facet_names() {
-  static const std::vector<std::string> names = {"specular", "diffuse"};
+  static const std::vector<std::string> names = {"specular", "diffuse", "oren_nayar", "oren_nayar_direct",
+                                                 "oren_nayar_qualitative"};
   return names;
 }
 
@@ -94,12 +95,42 @@ void require_own_distribution(const MaterialDescription& description, const Dist
       masking);
 }
 
+template <class D>
+bool has_infinite_mean_slope(const D& distribution) {
+  if constexpr (requires { distribution.parts; })
+    return std::ranges::any_of(distribution.parts, [](const auto& part) {
+      return std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, part.distribution);
+    });
+  else
+    return requires { distribution.profile.infinite_mean_slope; };
+}
+
+void require_finite_lambda(const Distribution& distribution, const Masking& masking) {
+  const auto* smith = std::get_if<Smith>(&masking);
+  if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return;
+  if (std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, distribution))
+    throw MaterialError("/masking/type", "\"smith\" has an infinite Lambda with this distribution, whose mean slope is "
+                                         "infinite (\"oren_nayar\"); accepted with any: v_cavity");
+}
+
+/// Oren and Nayar fitted one microsurface.
+void require_cavities(const Material& material) {
+  if (material.facet == Facet::specular || material.facet == Facet::diffuse) return;
+  if (std::holds_alternative<OrenNayar>(material.distribution) && std::holds_alternative<VCavity>(material.masking) &&
+      std::holds_alternative<Minimum>(material.shadowing))
+    return;
+  throw MaterialError("/facet", "\"" + facet_names()[static_cast<std::size_t>(material.facet)] +
+                                    "\" is a fit for the distribution \"oren_nayar\", the masking \"v_cavity\" and the "
+                                    "shadowing \"minimum\" alone; accepted with any: specular, diffuse");
+}
+
 } // namespace
 
 Material build(const MaterialDescription& description) {
   auto distribution = make<Distribution>("distribution", description.distribution);
   const auto masking = make<Masking>("masking", description.masking);
   require_own_distribution(description, distribution, masking);
+  require_finite_lambda(distribution, masking);
   const ModelChoice shadowing_choice = description.shadowing.value_or(ModelChoice{.type = default_shadowing(masking)});
   const auto shadowing = make<Shadowing>("shadowing", shadowing_choice);
   const bool has_lambda = std::visit([](const auto& m) { return m.has_lambda; }, masking);
@@ -109,12 +140,14 @@ Material build(const MaterialDescription& description) {
                                                "\" needs a masking function with a Lambda, and \"" +
                                                description.masking.type +
                                                "\" has none; accepted: none, separable, minimum, direction_correlated");
-  return {description.name,
-          std::move(distribution),
-          masking,
-          shadowing,
-          make<Fresnel>("fresnel", description.fresnel),
-          make_facet(description)};
+  Material material{description.name,
+                    std::move(distribution),
+                    masking,
+                    shadowing,
+                    make<Fresnel>("fresnel", description.fresnel),
+                    make_facet(description)};
+  require_cavities(material);
+  return material;
 }
 
 void set_parameter(MaterialDescription& description, const std::string& key, double value) {

@@ -16,8 +16,11 @@ namespace brdfplot {
 
 /// How a facet reflects.
 enum class Facet {
-  specular, ///< a mirror (Heitz 2014, Eq. 29)
-  diffuse,  ///< Lambertian with albedo 1 (Eq. 31); see diffuse.hpp
+  specular,               ///< a mirror (Heitz 2014, Eq. 29)
+  diffuse,                ///< Lambertian with albedo 1 (Eq. 31); see diffuse.hpp
+  oren_nayar,             ///< as diffuse, in V-cavities, by the full fit of Oren and Nayar 1994; see oren_nayar.hpp
+  oren_nayar_direct,      ///< by its part for single scattering
+  oren_nayar_qualitative, ///< by their simpler fit
 };
 
 /// The names of `Facet`, in its order.
@@ -65,7 +68,7 @@ private:
 
 /// Builds a material. Shadowing defaults to `height_correlated` where the masking function has a Lambda, to `minimum`
 /// for `v_cavity`, and to `separable` for those that are defined by a product (Heitz 2014, Eqs. 55, 58). A diffuse
-/// facet has no Fresnel term.
+/// facet has no Fresnel term; the fits of Oren and Nayar are for the V-cavities of the distribution `oren_nayar` alone.
 /// \throws MaterialError
 Material build(const MaterialDescription& description);
 

@@ -25,7 +25,8 @@ ShapePtr material_shape(bool top) {
       {"fresnel", named("fresnel", [] { return model(specs_of<Fresnel>()); }), false,
        "Fresnel term; default none (F = 1)"},
       {"facet", choice(facet_names()), false,
-       "how a facet reflects; default specular. A diffuse one has no Fresnel term"},
+       "how a facet reflects; default specular. A diffuse one has no Fresnel term; the fits of Oren and Nayar are for "
+       "distribution oren_nayar with masking v_cavity"},
       {"claims", array(choice(claim_names())), false,
        "what `brdfplot check` has to find true: physically_based, or properties by name"}};
   if (top) return object(std::move(fields), true);

@@ -9,6 +9,7 @@
 #include "microfacet/distributions/ggx.hpp"
 #include "microfacet/distributions/gtr.hpp"
 #include "microfacet/distributions/mixture.hpp"
+#include "microfacet/distributions/oren_nayar.hpp"
 #include "microfacet/distributions/phong.hpp"
 #include "microfacet/distributions/sheen.hpp"
 #include "microfacet/distributions/student_t.hpp"
@@ -31,6 +32,7 @@ using DistributionList = std::variant<Beckmann,         //
                                       Sheen,            //
                                       Ward,             //
                                       Gaussian,         //
+                                      OrenNayar,        //
                                       Custom,           //
                                       Composed...>;
 

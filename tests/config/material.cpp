@@ -96,7 +96,7 @@ TEST_CASE("materials: unknown keys and names, with the nearest accepted one") {
       {R"({"distribution": {"alpha": 1}})", "/distribution", {"\"type\" is missing", "\"beckmann\", \"ggx\""}},
       {with(R"("masking": {"type": "smiht"})"), "/masking/type", {"did you mean \"smith\"?", "v_cavity"}},
       {with(R"("claims": ["physicaly_based"])"), "/claims/0", {"did you mean \"physically_based\"?", "eq37"}},
-      {with(R"("facet": "difuse")"), "/facet", {"\"difuse\"", "accepted: specular, diffuse"}},
+      {with(R"("facet": "difuse")"), "/facet", {"\"difuse\"", "accepted: specular, diffuse, oren_nayar, oren_nayar_direct, oren_nayar_qualitative"}},
       {with(R"("facet": "diffuse", "fresnel": {"type": "schlick", "f0": 1})"),
        "/fresnel/type",
        {"\"schlick\"", "accepted: none"}},

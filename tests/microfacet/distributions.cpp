@@ -74,6 +74,7 @@ TEST_CASE("every distribution of the list: Lambda is 0 at the normal, falls towa
   for (const auto& description : every_distribution()) {
     INFO(description.name);
     const Material m = build(description);
+    if (!m.has_lambda()) continue;
     double before = 0;
     for (const double theta : {0.0, 1e-8, 0.01, 0.2, 0.8, 1.2, 1.5, 1.57, 1.5707963}) {
       const Direction o = from_angles(theta, 0.4);
