@@ -195,6 +195,9 @@ std::vector<NormalIntegrand> switches(const Material& material, const Direction&
       return light.c - SmithRational::end * light.s;
     }));
   const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
+  // The azimuth of the light turns around where it is at the normal: a corner for rectangles, on one of their edges.
+  if (azimuth && o.x * o.x + o.y * o.y > 0)
+    all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.x + o.y * i.y; }));
   if (azimuth && !map.centred())
     all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.y - o.y * i.x; }));
   return all;
