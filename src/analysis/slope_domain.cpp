@@ -56,6 +56,28 @@ Direction SlopeFrame::normal(double u1, double u2) const {
   return {-x * z, -y * z, z};
 }
 
+void SlopeFrame::normals_along(const double* u1, double* x, double* y, double* z, std::size_t n) const {
+  // Without a branch and with nothing that might be written meanwhile, so that the compiler takes several at a time.
+  const auto [mean_x, mean_y] = mean_;
+  const double along_x = m_[0];
+  const double along_y = m_[2];
+  for (std::size_t k = 0; k < n; ++k) {
+    const double slope_x = mean_x + along_x * u1[k];
+    const double slope_y = mean_y + along_y * u1[k];
+    const double n2 = 1 + slope_x * slope_x + slope_y * slope_y;
+    z[k] = 1 / std::sqrt(n2);
+    x[k] = -slope_x * z[k];
+    y[k] = -slope_y * z[k];
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (z[k] == 0) { // a slope whose square overflows
+      const Direction m = normal(u1[k], 0);
+      x[k] = m.x;
+      y[k] = m.y;
+      z[k] = m.z;
+    }
+}
+
 double SlopeFrame::reach(double cos_psi, double sin_psi) const {
   const double horizon = cos_psi > 0 ? a() / cos_psi : infinity;
   const double b = b_[0] * cos_psi + b_[1] * sin_psi;

@@ -19,6 +19,8 @@ public:
   SlopeFrame(const SlopeMap& map, const Direction& omega_o);
 
   Direction normal(double u1, double u2) const;
+  /// The normals of n slopes along the viewer's azimuth, u_2 = 0.
+  void normals_along(const double* u1, double* x, double* y, double* z, std::size_t n) const;
   /// d^2 u / d^2 m~.
   double determinant() const { return determinant_; }
   /// d omega_m / d^2 u = det M z_m^3.

@@ -77,12 +77,7 @@ public:
   void operator()(const double* r, double* p, std::size_t n) const {
     constexpr std::size_t most = far_count;
     std::array<double, most> x, y, z;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Direction m = frame_.normal(r[k], 0);
-      x[k] = m.x;
-      y[k] = m.y;
-      z[k] = m.z;
-    }
+    frame_.normals_along(r, x.data(), y.data(), z.data(), n);
     std::visit([&](const auto& d) { d.densities({x.data(), y.data(), z.data()}, p, n); }, distribution_);
     for (std::size_t k = 0; k < n; ++k) p[k] *= frame_.determinant() * (z[k] * z[k]) * (z[k] * z[k]);
   }

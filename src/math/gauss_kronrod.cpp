@@ -39,7 +39,8 @@ GaussKronrod<N> make() {
 double RuleSums::error() const {
   double error = std::fabs(kronrod - gauss);
   if (spread > 0) {
-    if (error > 0) error = spread * std::min(1.0, std::pow(200 * error / spread, 1.5));
+    const double ratio = 200 * error / spread;
+    error = spread * std::min(1.0, ratio * std::sqrt(ratio));
     const double decay = std::min(1.0, coefficient / spread);
     error = std::max(error, spread * decay * decay * decay);
   }

@@ -49,13 +49,9 @@ inline constexpr Bound d_visible_beckmann{16, 8};
 inline constexpr Bound d_visible_ggx{16};
 inline constexpr Bound g1_of_directions{8};
 inline constexpr Bound g2{8};
-/// Forms that contain the product of two G1, whose errors add.
-inline constexpr Bound g2_of_product{12};
 /// With the factor 1 - exp(-E), E = 7.3 phi^2, of Ashikhmin et al.: its complement has an exponent of its own.
 inline constexpr Bound g2_ashikhmin{8, 8};
 inline constexpr Bound brdf_ggx_ashikhmin{16, 8};
-/// As g2_of_product.
-inline constexpr Bound brdf_ggx_of_product{20};
 
 // Kernels, float. Densities and BRDFs are computed in double and rounded once.
 inline constexpr Bound float_projected_area{4};

@@ -31,10 +31,6 @@ constexpr std::array<Form, 8> forms = {
      {"height_direction_correlated; ginneken", G2Form::height_direction_correlated, "ginneken", false},
      {"height_direction_correlated; ashikhmin", G2Form::height_direction_correlated, "ashikhmin", false}}};
 
-bool is_of_product(const Form& form) {
-  return form.form == G2Form::separable || form.form == G2Form::direction_correlated;
-}
-
 bool is_ashikhmin(const Form& form) { return form.factor[0] == 'a'; }
 
 std::string type_of(const Form& form) {
@@ -99,14 +95,11 @@ struct Rows {
         g1("G1 (" + model + "; directions)", "double", isa, domain, bounds::g1_of_directions) {
     for (const Form& form : forms) {
       g2.emplace_back("G2 (" + model + "; " + form.name + ")", "double", isa, domain,
-                      is_ashikhmin(form)    ? bounds::g2_ashikhmin
-                      : is_of_product(form) ? bounds::g2_of_product
-                                            : bounds::g2);
+                      is_ashikhmin(form) ? bounds::g2_ashikhmin : bounds::g2);
       brdf.emplace_back("BRDF (" + model + "; " + form.name + ")", "double", isa, domain,
-                        is_beckmann           ? bounds::brdf_beckmann
-                        : is_ashikhmin(form)  ? bounds::brdf_ggx_ashikhmin
-                        : is_of_product(form) ? bounds::brdf_ggx_of_product
-                                              : bounds::brdf_ggx);
+                        is_beckmann          ? bounds::brdf_beckmann
+                        : is_ashikhmin(form) ? bounds::brdf_ggx_ashikhmin
+                                             : bounds::brdf_ggx);
     }
   }
   void finish_all() const {

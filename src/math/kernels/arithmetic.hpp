@@ -172,6 +172,13 @@ BRDFPLOT_INLINE Pair<T> sum_of_product(T x, T y, T z) {
   return {total.high, total.low + product_low(y, z, product)};
 }
 
+/// (x + x_low) (k + k_low), rounded once but for what is twice as small.
+template <class T>
+BRDFPLOT_INLINE Pair<T> product(T x, T x_low, T k, T k_low) {
+  const T high = x * k;
+  return {high, product_low(x, k, high) + multiply_add(x, k_low, x_low * k)};
+}
+
 /// c[first] + c[first + 2] x + c[first + 4] x^2 + ...
 template <std::size_t first, class T, std::size_t size>
 BRDFPLOT_INLINE T every_other(const T (&c)[size], T x) {
@@ -246,6 +253,7 @@ BRDFPLOT_INLINE T scaled(T m, T shifted_k) {
 template <class T>
 struct Exponential {
   T value, shifted_k;
+  T value_low; ///< what the last addition dropped
 };
 
 template <class T>
@@ -255,8 +263,9 @@ BRDFPLOT_INLINE Exponential<T> exponential(T x, T low, T factor) {
   const T k = shifted_k - integer_shift<T>;
   const T r = multiply_add(-k, F::ln2_high, x) + multiply_add(-k, F::ln2_low, low);
   const T square = r * r;
-  return {multiply_add(multiply_add(square, polynomial(ExponentialFit<T>::g, r, square), r), factor, factor),
-          shifted_k};
+  const T less_one = multiply_add(square, polynomial(ExponentialFit<T>::g, r, square), r);
+  const T value = multiply_add(less_one, factor, factor);
+  return {value, shifted_k, multiply_add(less_one, factor, factor - value)};
 }
 
 /// a Lambda(a) e^(a^2) 4 sqrt(pi) = numerator / denominator of the Beckmann distribution: twice the R of
@@ -264,6 +273,7 @@ BRDFPLOT_INLINE Exponential<T> exponential(T x, T low, T factor) {
 template <class T>
 struct Quotient {
   T numerator, denominator;
+  T denominator_low; ///< what the last addition to the denominator dropped
 };
 
 /// Half the coefficients N of that R, which saves doubling the other terms of its denominator.
@@ -283,7 +293,10 @@ BRDFPLOT_INLINE Quotient<T> scaled_beckmann_lambda(T a, T square, T square_low) 
   const T half_n = polynomial(half_numerator<T>.values, a, square);
   const T m = polynomial(BeckmannLambdaFit<T>::denominator, a, square);
   const T square_plus_half = multiply_add(a, a, T(0.5));
-  return {m, multiply_add(square_plus_half, m, multiply_add(square_low, m, a * half_n))};
+  const T rest = multiply_add(square_low, m, a * half_n);
+  const T denominator = multiply_add(square_plus_half, m, rest);
+  const T main = square_plus_half * m;
+  return {m, denominator, (main - denominator) + rest + product_low(square_plus_half, m, main)};
 }
 
 } // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE

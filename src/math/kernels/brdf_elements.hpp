@@ -12,6 +12,11 @@ using Vector3 = Vector<double>;
 
 BRDFPLOT_INLINE double times(double x, const detail::Constant<double>& k) { return multiply_add(x, k.high, x * k.low); }
 
+BRDFPLOT_INLINE double times(double x, double x_low, const detail::Constant<double>& k) {
+  const Pair<double> result = product(x, x_low, k.high, k.low);
+  return result.high + result.low;
+}
+
 /// z^2 |u|^2 of the normal m + low, the scaled norm of Heitz 2014, Eq. 95.
 template <bool plain>
 BRDFPLOT_INLINE double scaled_norm2(const Constants<double>& k, const Vector3& m, const Vector3& low) {
@@ -26,7 +31,7 @@ BRDFPLOT_INLINE double scaled_norm2(const Constants<double>& k, const Vector3& m
     const Pair<double> w = sum_of_product(skewed, k.alpha_x, v.high);
     const double w_low = w.low - (product_low(k.skew.high, u.high, -skewed) + k.skew.low * u.high) +
                          multiply_add(k.alpha_x, v_low, -k.skew.high * u_low);
-    const double p = times(u.high + u_low, k.inverse_x), q = times(w.high + w_low, k.inverse_det);
+    const double p = times(u.high, u_low, k.inverse_x), q = times(w.high, w_low, k.inverse_det);
     return multiply_add(p, p, q * q);
   }
 }
@@ -42,7 +47,7 @@ BRDFPLOT_INLINE SlopeExponential slope_exponential(double n2, double z) {
   const double z2 = z * z, least = n2 * (1.0 / 900);
   const double inverse = 1 / larger(z2, least);
   const Exponential<double> e = exponential(-(n2 * inverse), 0.0, 1.0);
-  return {{z2 < least ? 0 : e.value, e.shifted_k}, inverse};
+  return {{z2 < least ? 0 : e.value, e.shifted_k, 0}, inverse};
 }
 
 template <bool plain>
@@ -76,8 +81,11 @@ BRDFPLOT_INLINE HalfVector half_vector(const Vector3& o, const Vector3& i) {
   return {h, {sum_low(o.x, i.x, x) * f, sum_low(o.y, i.y, y) * f, sum_low(o.z, i.z, z) * f}, norm2};
 }
 
+template <bool plain>
 BRDFPLOT_INLINE double squared_roughness(const Projected<double>& p) {
-  return multiply_add(p.along, p.along, p.across * p.across);
+  const double along = plain ? p.along.high : p.along.high + p.along.low;
+  const double across = plain ? p.across.high : p.across.high + p.across.low;
+  return multiply_add(along, along, across * across);
 }
 
 /// With v = sqrt(c^2 + s^2) of either side, tau = (v - c) / 2: c_o c_i + c_i tau_o + c_o tau_i = (c_i v_o + c_o v_i) /
@@ -96,8 +104,8 @@ BRDFPLOT_INLINE double brdf_ggx(const Constants<double>& k, const Vector3& o, co
   const HalfVector half = half_vector<plain>(o, i);
   const Projected<double> p_o = project<plain>(k, o), p_i = project<plain>(k, i);
   // One root by the divider, one by the multipliers: at the same time.
-  const double v_o = root_by_products(multiply_add(p_o.c, p_o.c, squared_roughness(p_o)));
-  const double v_i = shadowing == Shadowing::none ? 0 : root(multiply_add(p_i.c, p_i.c, squared_roughness(p_i)));
+  const double v_o = root_by_products(multiply_add(p_o.c, p_o.c, squared_roughness<plain>(p_o)));
+  const double v_i = shadowing == Shadowing::none ? 0 : root(multiply_add(p_i.c, p_i.c, squared_roughness<plain>(p_i)));
   const double t = multiply_add(half.h.z, half.h.z, scaled_norm2<plain>(k, half.h, half.low));
   const double inverse = twice_inverse_visibility<shadowing>(p_o.c, v_o, p_i.c, v_i);
   const double value = (half.norm2 * half.norm2) / (((2 * k.pi_det) * t) * (t * inverse));
@@ -121,8 +129,8 @@ template <bool plain>
 BRDFPLOT_INLINE BeckmannGeometry beckmann_geometry(const Constants<double>& k, const Vector3& o, const Vector3& i) {
   const HalfVector half = half_vector<plain>(o, i);
   const Projected<double> p_o = project<plain>(k, o), p_i = project<plain>(k, i);
-  const double s_o = larger(root(squared_roughness(p_o)), 0x1p-200);
-  const double s_i = larger(root(squared_roughness(p_i)), 0x1p-200);
+  const double s_o = larger(root(squared_roughness<plain>(p_o)), 0x1p-200);
+  const double s_i = larger(root(squared_roughness<plain>(p_i)), 0x1p-200);
   const double inverse = 1 / (s_o * s_i);
   const SlopeExponential s = slope_exponential(scaled_norm2<plain>(k, half.h, half.low), half.h.z);
   const double secant2 = half.norm2 * s.inverse_z2;

@@ -20,35 +20,53 @@ struct Vector {
   T x, y, z;
 };
 
+/// z - x mean_x - y mean_y, to an error of some 2^-105 of its terms (float: 2^-46): it may cancel to that.
+template <class T>
+BRDFPLOT_INLINE T projected_area(const Constants<T>& k, const Vector<T>& omega) {
+  const T x = -k.mean_x * omega.x, y = -k.mean_y * omega.y;
+  const Pair<T> first = sum(omega.z, x), total = sum(first.high, y);
+  // What these three and the two products dropped, summed likewise.
+  const Pair<T> products = sum(product_low(-k.mean_x, omega.x, x), product_low(-k.mean_y, omega.y, y));
+  const Pair<T> with_first = sum(products.high, first.low), with_total = sum(with_first.high, total.low);
+  const Pair<T> c = sum(total.high, with_total.high);
+  return c.high + (c.low + (products.low + with_first.low + with_total.low));
+}
+
 /// c, and the two lengths whose squares sum to s^2.
 template <class T>
 struct Projected {
-  T c, along, across;
+  T c;
+  Pair<T> along, across;
 };
 
 /// `plain`: r = 0 and centred; otherwise the sums that cancel are carried with their rounding errors.
 template <bool plain, class T>
 BRDFPLOT_INLINE Projected<T> project(const Constants<T>& k, const Vector<T>& omega) {
   if constexpr (plain) {
-    return {omega.z, k.alpha_x * omega.x, k.alpha_y * omega.y};
+    return {omega.z, product(omega.x, T(0), k.alpha_x, T(0)), product(omega.y, T(0), k.alpha_y, T(0))};
   } else {
-    const Pair<T> first = sum_of_product(omega.z, -k.mean_x, omega.x);
-    const Pair<T> c = sum_of_product(first.high, -k.mean_y, omega.y);
-    const T skewed = k.skew.high * omega.y;
-    const Pair<T> along = sum_of_product(skewed, k.alpha_x, omega.x);
-    const T along_low = along.low + (product_low(k.skew.high, omega.y, skewed) + k.skew.low * omega.y);
-    return {c.high + (c.low + first.low), along.high + along_low, k.across * omega.y};
+    const Pair<T> skewed = product(omega.y, T(0), k.skew.high, k.skew.low);
+    const Pair<T> along = sum_of_product(skewed.high, k.alpha_x, omega.x);
+    return {projected_area(k, omega),
+            {along.high, along.low + skewed.low},
+            product(omega.y, T(0), k.across.high, k.across.low)};
   }
 }
 
-/// sqrt(x^2 + y^2) without underflow of the squares.
+/// sqrt(x^2 + y^2) without underflow of the squares, rounded once but for what is twice as small.
 template <class T>
-BRDFPLOT_INLINE T length(T x, T y) {
-  const bool small = larger(magnitude(x), magnitude(y)) < Format<T>::tiny;
+BRDFPLOT_INLINE T length(const Pair<T>& x, const Pair<T>& y) {
+  const bool small = larger(magnitude(x.high), magnitude(y.high)) < Format<T>::tiny;
   const T up = small ? Format<T>::enlarge : T(1);
   const T down = small ? Format<T>::reduce : T(1);
-  const T u = x * up, v = y * up;
-  return root(multiply_add(u, u, v * v)) * down;
+  const T u = x.high * up, v = y.high * up;
+  const T u2 = u * u, v2 = v * v;
+  const Pair<T> squares = sum(u2, v2);
+  const T u_low = multiply_add(u + u, x.low * up, product_low(u, u, u2));
+  const T v_low = multiply_add(v + v, y.low * up, product_low(v, v, v2));
+  const T estimate = root(squares.high);
+  const T missing = residual(squares.high, estimate, estimate) + (squares.low + (u_low + v_low));
+  return (estimate + missing * (T(0.5) / not_zero(estimate))) * down;
 }
 
 /// c / s, at most largest_a, where Lambda is zero.
@@ -77,14 +95,18 @@ BRDFPLOT_INLINE Ratio<T> ratio_of(T given) {
   return {a, square, product_low(a, a, square)};
 }
 
-/// The last step of the Beckmann masked area, s e^(-a^2) R(a) / (2 sqrt(pi)): the exponential has the factor.
+/// The last step of the Beckmann masked area, s e^(-a^2) R(a) / (2 sqrt(pi)): the exponential has the factor. What
+/// its steps drop is added at the end: a product of two G1 has the errors of two masked areas.
 template <class T>
 BRDFPLOT_INLINE T masked_area_beckmann(T c, T s, const Exponential<T>& e, const Quotient<T>& r) {
-  const T m = s * e.value * (r.numerator / r.denominator);
-  return scaled(m, e.shifted_k) + larger(-c, T(0));
+  const T quotient = r.numerator / r.denominator;
+  const T missing = multiply_add(-quotient, r.denominator_low, residual(r.numerator, quotient, r.denominator));
+  const Pair<T> scale = product(s, T(0), e.value, e.value_low);
+  const Pair<T> m = product(scale.high, scale.low, quotient, missing / r.denominator);
+  return scaled(m.high + m.low, e.shifted_k) + larger(-c, T(0));
 }
 
-/// The same for Lambda: infinite for a = 0.
+/// That of Lambda: infinite for a = 0.
 template <class T>
 BRDFPLOT_INLINE T lambda_beckmann(T a, const Exponential<T>& e, const Quotient<T>& r) {
   const T m = (e.value * r.numerator) / (a * r.denominator);

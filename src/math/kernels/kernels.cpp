@@ -77,7 +77,7 @@ detail::StretchConstants<T> constants_of(const Stretch& stretch) {
   // The product is wanted exactly, also where long double is double.
   k.skew.high = static_cast<T>(r) * k.alpha_y;
   k.skew.low = std::fma(static_cast<T>(r), k.alpha_y, -k.skew.high);
-  k.across = static_cast<T>(across);
+  k.across = constant<T>(across);
   k.mean_x = static_cast<T>(parameter(stretch.mean_x));
   k.mean_y = static_cast<T>(parameter(stretch.mean_y));
   k.plain = r == 0 && k.mean_x == 0 && k.mean_y == 0;

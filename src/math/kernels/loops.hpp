@@ -113,6 +113,7 @@ void over_cs(const T* __restrict c, const T* __restrict s, T* __restrict out, st
 /// Where a Beckmann kernel finds a, and what it makes of the parts of Lambda: the masked area of arrays of c and s.
 template <class T>
 struct AreaOverCs {
+  static constexpr bool careful = true;
   const T* __restrict c;
   const T* __restrict s;
   T* __restrict out;
@@ -125,6 +126,7 @@ struct AreaOverCs {
 /// Lambda of arrays of c and s. Below the horizon a is 0, where Lambda is infinite.
 template <class T>
 struct LambdaOverCs {
+  static constexpr bool careful = false;
   const T* __restrict c;
   const T* __restrict s;
   T* __restrict out;
@@ -137,6 +139,7 @@ struct LambdaOverCs {
 /// Lambda of an array of a.
 template <class T>
 struct LambdaOverA {
+  static constexpr bool careful = false;
   const T* __restrict a;
   T* __restrict out;
   BRDFPLOT_INLINE_MEMBER Ratio<T> first_step(std::size_t j) const { return ratio_of(larger(a[j], T(0))); }
@@ -145,10 +148,11 @@ struct LambdaOverA {
   }
 };
 
-/// A block of Beckmann's masked area or Lambda on its way through four steps.
-template <class T>
+/// A block of Beckmann's masked area or Lambda on its way through four steps. `careful`: with what roundings drop.
+template <class T, bool careful>
 struct BeckmannBlock {
   Column<T> a, square, square_low, value, shifted_k, numerator, denominator;
+  Column<T> value_low, denominator_low; ///< where careful
 
   BRDFPLOT_INLINE_MEMBER void first_step(std::size_t j, const Ratio<T>& r) {
     a[j] = r.a;
@@ -159,26 +163,32 @@ struct BeckmannBlock {
     const Exponential<T> e = exponential(-square[j], -square_low[j], quarter_over_root_pi<T>);
     value[j] = e.value;
     shifted_k[j] = e.shifted_k;
+    if constexpr (careful) value_low[j] = e.value_low;
   }
   BRDFPLOT_INLINE_MEMBER void quotient_step(std::size_t j) {
     const Quotient<T> r = scaled_beckmann_lambda(a[j], square[j], square_low[j]);
     numerator[j] = r.numerator;
     denominator[j] = r.denominator;
+    if constexpr (careful) denominator_low[j] = r.denominator_low;
   }
-  BRDFPLOT_INLINE_MEMBER Exponential<T> exponential_of(std::size_t j) { return {value[j], shifted_k[j]}; }
-  BRDFPLOT_INLINE_MEMBER Quotient<T> quotient_of(std::size_t j) { return {numerator[j], denominator[j]}; }
+  BRDFPLOT_INLINE_MEMBER Exponential<T> exponential_of(std::size_t j) {
+    return {value[j], shifted_k[j], careful ? value_low[j] : 0};
+  }
+  BRDFPLOT_INLINE_MEMBER Quotient<T> quotient_of(std::size_t j) {
+    return {numerator[j], denominator[j], careful ? denominator_low[j] : 0};
+  }
 };
 
-template <class T, class Arrays>
-void begin(BeckmannBlock<T>& b, const Arrays& arrays, std::size_t first, std::size_t size) {
+template <class T, bool careful, class Arrays>
+void begin(BeckmannBlock<T, careful>& b, const Arrays& arrays, std::size_t first, std::size_t size) {
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) b.first_step(j, arrays.first_step(first + j));
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) b.exponential_step(j);
 }
 
-template <class T, class Arrays>
-void finish(BeckmannBlock<T>& b, const Arrays& arrays, std::size_t first, std::size_t size) {
+template <class T, bool careful, class Arrays>
+void finish(BeckmannBlock<T, careful>& b, const Arrays& arrays, std::size_t first, std::size_t size) {
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < size; ++j) b.quotient_step(j);
   BRDFPLOT_INDEPENDENT
@@ -187,8 +197,9 @@ void finish(BeckmannBlock<T>& b, const Arrays& arrays, std::size_t first, std::s
 
 /// Begins `next`, which starts at `first`, and finishes `last`, the block before it. A loop that divides for the one
 /// computes polynomials for the other, so that the divider and the multipliers work at the same time.
-template <class T, class Arrays>
-void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const Arrays& arrays, std::size_t first) {
+template <class T, bool careful, class Arrays>
+void begin_and_finish(BeckmannBlock<T, careful>& next, BeckmannBlock<T, careful>& last, const Arrays& arrays,
+                      std::size_t first) {
   BRDFPLOT_INDEPENDENT
   for (std::size_t j = 0; j < block_size; ++j) {
     next.first_step(j, arrays.first_step(first + j));
@@ -204,7 +215,7 @@ void begin_and_finish(BeckmannBlock<T>& next, BeckmannBlock<T>& last, const Arra
 /// Masked area or Lambda of Beckmann.
 template <class T, class Arrays>
 void beckmann_all(const Arrays& arrays, std::size_t n) {
-  BeckmannBlock<T> blocks[2];
+  BeckmannBlock<T, Arrays::careful> blocks[2];
   const std::size_t whole = n / block_size * block_size;
   if (whole > 0) {
     begin(blocks[0], arrays, 0, block_size);

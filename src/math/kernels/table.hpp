@@ -18,8 +18,8 @@ template <class T>
 struct StretchConstants {
   bool plain; ///< uncorrelated and centred: nothing in it cancels
   T alpha_x, alpha_y;
-  Constant<T> skew; ///< r alpha_y
-  T across;         ///< sqrt(1 - r^2) alpha_y
+  Constant<T> skew;   ///< r alpha_y
+  Constant<T> across; ///< sqrt(1 - r^2) alpha_y
   T mean_x, mean_y;
   Constant<T> inverse_x;   ///< 1 / alpha_x
   Constant<T> inverse_y;   ///< 1 / alpha_y
