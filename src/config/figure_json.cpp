@@ -1,3 +1,4 @@
+#include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
 #include "config/load.hpp"
 #include "config/shapes.hpp"
@@ -27,7 +28,8 @@ public:
     out.caption = root["caption"].get<std::string>();
     out.kind = kind_ = std::map<std::string, plot::Kind>{{"lines", plot::Kind::lines},
                                                          {"polar", plot::Kind::polar},
-                                                         {"heatmap", plot::Kind::heatmap}}
+                                                         {"heatmap", plot::Kind::heatmap},
+                                                         {"profile", plot::Kind::profile}}
                            .at(root["kind"].get<std::string>());
     out.columns = root.value("columns", 1);
     out.share = std::map<std::string, plot::Share>{{"none", plot::Share::none},
@@ -151,6 +153,10 @@ private:
     enter(scope, object, pointer);
     plot::PanelDescription out;
     out.title = substituted(object.value("title", ""), scope.words);
+    if (object.contains("profile") != (kind_ == plot::Kind::profile))
+      file_.fail(pointer, kind_ == plot::Kind::profile ? "a profile has \"profile\", not \"series\""
+                                                       : "only a figure of kind \"profile\" has \"profile\"");
+    if (kind_ == plot::Kind::profile) return profile(object, pointer, std::move(out));
     const bool heatmap = kind_ == plot::Kind::heatmap;
     out.x = axis(object, pointer, "x", true);
     out.y = axis(object, pointer, "y", heatmap);
@@ -179,6 +185,16 @@ private:
       out.contours.push_back({contour["label"].get<std::string>(), contour["level"].get<double>()});
     const Json arrows = object.value("arrows", Json::array());
     for (const auto& arrow : arrows) out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, pointer));
+    return out;
+  }
+
+  /// A panel that is a profile.
+  plot::PanelDescription profile(const Json& object, const std::string& pointer, plot::PanelDescription out) {
+    for (const char* key : {"x", "y", "value", "material", "at", "compare_to", "arrows", "contours", "for_each"})
+      if (object.contains(key)) file_.fail(step(pointer, key), "a profile has no \"" + std::string(key) + "\"");
+    out.x.column = "x";
+    out.y.column = "height";
+    out.profile = read_profile(file_, object, pointer);
     return out;
   }
 

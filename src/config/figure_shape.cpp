@@ -1,3 +1,4 @@
+#include "config/figure_profile.hpp"
 #include "config/shapes.hpp"
 #include "plot/simulated.hpp"
 
@@ -83,21 +84,23 @@ ShapePtr series() {
 
 ShapePtr panel() {
   return named("panel", [] {
-    return object(
+    return object_with_alternatives(
         {{"title", text(), false, "above the panel"},
          {"x", axis(), false, "replaces keys of the figure's x"},
          {"y", axis(), false, "replaces keys of the figure's y"},
          {"value", axis(), false, "replaces keys of the figure's value"},
          {"material", material_or_name(), false, "of the series that name none"},
          {"at", settings(), false, "what is fixed for all series"},
-         {"series", array(series(), 1), true, "what is drawn"},
+         {"series", array(series(), 1), false, "what is drawn"},
+         {"profile", profile_shape(), false, "profile: what is drawn; replaces keys of the figure's profile"},
          {"compare_to", expression(), false,
           "polar: a lobe simulated by \"surface\", with which that of the first series is compared in numbers"},
          {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1), false,
           "polar: directions to draw; mirror is the mirror direction of omega_o"},
          {"contours", array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1),
           false, "heat map: lines of a level"},
-         {"for_each", for_each(), false, "one panel for each value"}});
+         {"for_each", for_each(), false, "one panel for each value"}},
+        {{"series"}, {"profile"}});
   });
 }
 
@@ -106,7 +109,7 @@ ShapePtr panel() {
 ShapePtr figure_shape() {
   return object(
       {{"id", file_stem(), true, "name of its files"},
-       {"kind", choice({"lines", "polar", "heatmap"}), true, "how it is drawn"},
+       {"kind", choice({"lines", "polar", "heatmap", "profile"}), true, "how it is drawn"},
        {"title", text(), true, "above the figure"},
        {"caption", text(), true, "what it shows, with equation and parameters"},
        {"columns", whole_number(1, 8), false, "panels stand in rows of so many; default 1"},
@@ -119,6 +122,7 @@ ShapePtr figure_shape() {
        {"x", axis(), false, "horizontal axis, or angle"},
        {"y", axis(), false, "vertical axis, or radius; heat map: the second swept variable"},
        {"value", axis(), false, "heat map: the colour bar"},
+       {"profile", profile_shape(), false, "what all profiles have in common"},
        {"panels", array(panel(), 1), true, "one or more"}},
       true);
 }

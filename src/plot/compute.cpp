@@ -3,6 +3,7 @@
 #include "plot/contour.hpp"
 #include "plot/description.hpp"
 #include "plot/evaluator.hpp"
+#include "plot/profile_panel.hpp"
 #include "plot/sampling.hpp"
 
 #include <algorithm>
@@ -39,12 +40,14 @@ auto naming(const std::string& where, const Function& function) {
 }
 
 /// "fig4, panel "Smith", series 2": by title and label, by number where there is none.
-std::string place(const FigureDescription& figure, const PanelDescription& panel, std::size_t series) {
+std::string place(const FigureDescription& figure, const PanelDescription& panel,
+                  std::optional<std::size_t> series = {}) {
   const auto call = [](const std::string& what, const std::string& name, std::ptrdiff_t index) {
     return ", " + what + " " + (name.empty() ? std::to_string(index + 1) : "\"" + one_line(name) + "\"");
   };
-  return one_line(figure.id) + call("panel", panel.title, &panel - figure.panels.data()) +
-         call("series", panel.series.at(series).label, static_cast<std::ptrdiff_t>(series));
+  const std::string where = one_line(figure.id) + call("panel", panel.title, &panel - figure.panels.data());
+  if (!series) return where;
+  return where + call("series", panel.series.at(*series).label, static_cast<std::ptrdiff_t>(*series));
 }
 
 /// Series of one label share a style, in the order in which labels appear.
@@ -210,6 +213,10 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 {}};
   Styles styles;
   for (const auto& from : description.panels) {
+    if (description.kind == Kind::profile) {
+      figure.panels.push_back(naming(place(description, from), [&] { return profile_panel(from); }));
+      continue;
+    }
     Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}, {}};
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
@@ -239,7 +246,7 @@ std::vector<SimulationTask> simulations(const FigureDescription& description) {
       tasks.push_back({key, where, std::move(run)});
     }
   };
-  if (description.kind == Kind::heatmap) return tasks;
+  if (description.kind == Kind::heatmap || description.kind == Kind::profile) return tasks;
   for (const auto& panel : description.panels) {
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const std::string where = place(description, panel, k);

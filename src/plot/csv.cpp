@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -32,6 +33,7 @@ std::string field(std::string_view label) {
 }
 
 bool has_errors(const Figure& figure) {
+  if (figure.kind == Kind::profile) return false;
   const auto simulated = [](const Series& series) { return !series.error.empty(); };
   return std::ranges::any_of(figure.panels, [&](const Panel& panel) {
     return !panel.notes.empty() || std::ranges::any_of(panel.series, simulated);
@@ -60,6 +62,7 @@ void append_header(std::string& out, const Figure& figure) {
 }
 
 void append_series(std::string& out, const Panel& panel, bool errors) {
+  const bool profile = panel.sketch.has_value();
   const auto title = field(panel.title);
   for (const auto& series : panel.series) {
     const auto start = title + "," + field(series.label) + ",";
@@ -67,7 +70,7 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
       out += start;
       append_number(out, series.x[i]);
       out += ',';
-      append_number(out, series.y[i]);
+      if (!profile || !std::isnan(series.y[i])) append_number(out, series.y[i]);
       if (errors) out += ',';
       if (i < series.error.size()) append_number(out, series.error[i]);
       out += '\n';
@@ -75,12 +78,12 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
   }
 }
 
-void append_notes(std::string& out, const Panel& panel) {
+void append_notes(std::string& out, const Panel& panel, bool errors) {
   for (const Note& note : panel.notes) {
     out += field(panel.title) + "," + field(note.label) + ",,";
     append_number(out, note.value);
-    out += ',';
-    append_number(out, note.error);
+    if (errors) out += ',';
+    if (errors) append_number(out, note.error);
     out += '\n';
   }
 }
@@ -119,7 +122,7 @@ std::string to_csv(const Figure& figure) {
   for (const auto& panel : figure.panels) {
     if (figure.kind != Kind::heatmap) {
       append_series(out, panel, errors);
-      append_notes(out, panel);
+      append_notes(out, panel, errors);
     } else if (panel.grid) {
       append_grid(out, field(panel.title), *panel.grid);
     }

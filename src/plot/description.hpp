@@ -67,6 +67,27 @@ struct ContourDescription {
   double level = 0;
 };
 
+/// A microsurface in profile (see profile_panel.hpp). Directions are signed angles from the normal, positive to the
+/// right.
+struct ProfileDescription {
+  ModelChoice surface; ///< one of profile_surface.hpp's list
+  std::uint64_t seed = 1;
+  bool along_y = false;
+  int cut = 0;    ///< which of the parallel cuts
+  int from = 0;   ///< first facet drawn
+  int cells = 64; ///< how many are drawn
+  double stretch = 1;
+  double shear = 0; ///< after the stretch; both move directions too
+  std::optional<double> omega_o, omega_i;
+  int normals = 0;                    ///< how many are drawn
+  int rays = 0;                       ///< from so many points towards omega_o
+  bool projection = false;            ///< what is visible is projected on a line across omega_o
+  bool mesosurface = false;           ///< whether the mesosurface is drawn
+  std::vector<std::string> arrows{};  ///< omega_o, omega_i, omega_g, omega_m
+  double point = 0.5;                 ///< where they begin, as a fraction of what is drawn
+  std::vector<std::string> numbers{}; ///< measured on the whole surface: see profile_numbers()
+};
+
 struct PanelDescription {
   std::string title;
   Axis x; ///< swept: `column` is the variable, from and to are given
@@ -76,7 +97,8 @@ struct PanelDescription {
   int samples = 0;           ///< evenly spaced points along x; 0: where the curve bends (see sampling.hpp)
   std::optional<Axis> value; ///< heat map: the value of series[0]
   std::vector<ContourDescription> contours;
-  std::optional<Term> compare_to; ///< a simulated lobe with which series[0] is compared: see compare.hpp
+  std::optional<Term> compare_to;              ///< a simulated lobe with which series[0] is compared: see compare.hpp
+  std::optional<ProfileDescription> profile{}; ///< profile: instead of series
 };
 
 struct FigureDescription {

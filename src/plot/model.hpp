@@ -13,6 +13,7 @@ enum class Kind {
   lines,   ///< cartesian curves, y against x
   polar,   ///< lobes in the plane of incidence: radius y at the signed angle x from the normal
   heatmap, ///< a value over two swept variables, with a colour bar
+  profile, ///< a microsurface in profile, height y at x on one scale, with directions and rays
 };
 
 enum class Scale { linear, logarithmic };
@@ -78,6 +79,27 @@ struct Contour {
   std::vector<Line> lines;
 };
 
+/// What stands about the surface of a profile, in its own units; angles are true.
+struct Sketch {
+  struct Line {
+    double x0, y0, x1, y1;
+  };
+  struct Pointer {
+    std::string label;
+    double x, y;  ///< where it touches the surface
+    double theta; ///< signed angle from the vertical
+  };
+  Line window{};                    ///< corners of the surface that is drawn
+  std::vector<Line> surface{};      ///< the body below it, if it is one: the upper edges of it
+  std::vector<Line> rays{};         ///< that leave the surface
+  std::vector<Line> stopped_rays{}; ///< that meet it again, from their beginning to there
+  std::vector<Line> sight_lines{};  ///< from the ends of what is visible to the line on which it is projected
+  std::vector<Line> projection{};   ///< what is visible, on that line
+  std::vector<Line> mesosurface{};  ///< none or one
+  std::vector<Pointer> normals{};   ///< short arrows without label
+  std::vector<Pointer> arrows{};
+};
+
 struct Panel {
   std::string title; ///< drawn above the panel and written to the CSV; may be empty when there is one panel
   Axis x;
@@ -88,6 +110,7 @@ struct Panel {
   std::optional<Grid> grid;      ///< heat map only
   std::vector<Contour> contours; ///< heat map only
   std::vector<Note> notes{};
+  std::optional<Sketch> sketch{}; ///< profile only: its series are the parts of the surface, broken by NaN
 };
 
 /// Which panels share the range of their value axis where it is automatic.
@@ -108,9 +131,9 @@ struct Figure {
 std::string to_svg(const Figure& figure);
 
 /// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`. Where a
-/// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact. One header line, LF,
-/// numbers in the shortest form that reads back to the same double; text fields quoted when needed (RFC 4180). Markup
-/// of labels is stripped ("θ_o" stays "θ_o": only braces go).
+/// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact. In a profile an empty
+/// y ends a part of the surface. One header line, LF, numbers in the shortest form that reads back to the same double;
+/// text fields quoted when needed (RFC 4180). Markup of labels is stripped ("θ_o" stays "θ_o": only braces go).
 std::string to_csv(const Figure& figure);
 
 } // namespace brdfplot::plot

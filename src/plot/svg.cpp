@@ -74,6 +74,7 @@ std::string to_svg(const Figure& figure) {
     case Kind::lines: draw_lines(svg, panel); break;
     case Kind::polar: draw_polar(svg, panel); break;
     case Kind::heatmap: draw_heatmap(svg, panel); break;
+    case Kind::profile: draw_profile(svg, panel); break;
     }
     svg.close_group();
   }

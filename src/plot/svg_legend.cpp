@@ -100,6 +100,15 @@ bool has_undefined_cells(const Panel& panel) {
                                    [](double value) { return std::isnan(value); });
 }
 
+/// The parts of a profile are solid: dashes would look like more parts.
+void make_solid(LegendPlan& plan) {
+  for (auto& looks : plan.looks)
+    for (auto& look : looks) look.dash = 0;
+  for (auto& entry : plan.shared) entry.look.dash = 0;
+  for (auto& own : plan.own)
+    for (auto& entry : own) entry.look.dash = 0;
+}
+
 } // namespace
 
 LegendPlan plan_legend(const Figure& figure) {
@@ -120,6 +129,7 @@ LegendPlan plan_legend(const Figure& figure) {
     for (const auto& item : items[i]) plan.looks.back().push_back(look_in(item, share ? all : own));
   }
   if (share) plan.shared = entries_of(all, figure.kind);
+  if (figure.kind == Kind::profile) make_solid(plan);
   if (figure.kind == Kind::heatmap && std::any_of(figure.panels.begin(), figure.panels.end(), has_undefined_cells)) {
     plan.shared.push_back({"undefined", {}, LegendEntry::Sample::undefined});
   }

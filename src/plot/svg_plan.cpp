@@ -153,6 +153,8 @@ FigurePlan plan_figure(const Figure& figure) {
   plan_ranges(figure, plan);
   if (figure.kind == Kind::polar) {
     measure_polar(figure, plan, width - (plan.columns - 1) * column_gap);
+  } else if (figure.kind == Kind::profile) {
+    measure_profile(figure, plan, width - (plan.columns - 1) * column_gap);
   } else {
     measure_cartesian(figure, plan, width - (plan.columns - 1) * column_gap);
   }

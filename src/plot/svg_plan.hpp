@@ -28,7 +28,7 @@ struct Insets {
   double bottom = 0;
 };
 
-/// A label of a polar plot, with its place relative to the centre.
+/// A label of a polar plot, with its place relative to the centre, or of an arrow of a profile.
 struct PolarLabel {
   std::string text;
   double size = font::tick;
@@ -85,6 +85,9 @@ void measure_cartesian(const Figure& figure, FigurePlan& plan, double width);
 /// The same for polar plots.
 void measure_polar(const Figure& figure, FigurePlan& plan, double width);
 
+/// The same for profiles, whose scale is that of both axes; Share other than none: that of all panels.
+void measure_profile(const Figure& figure, FigurePlan& plan, double width);
+
 /// Grid lines, under the data.
 void draw_grid(SvgWriter& svg, const PanelPlan& plan);
 /// Frame, ticks, their labels and the axis titles, over the data.
@@ -93,6 +96,7 @@ void draw_axes(SvgWriter& svg, const PanelPlan& plan);
 void draw_lines(SvgWriter& svg, const PanelPlan& plan);
 void draw_polar(SvgWriter& svg, const PanelPlan& plan);
 void draw_heatmap(SvgWriter& svg, const PanelPlan& plan);
+void draw_profile(SvgWriter& svg, const PanelPlan& plan);
 
 /// The ends of the bars of a simulated series: two standard errors above and below its values.
 std::vector<double> upper_bounds(const Series& series);

@@ -40,6 +40,14 @@ SCENE = {
     "measures": [{"type": "g2", "theta_o": ["60deg", 1], "delta_phi": "20deg"}],
 }
 BASES = {"material": MATERIAL, "figure": FIGURE, "report": REPORT, "scene": SCENE}
+PROFILE = {
+    "id": "f",
+    "kind": "profile",
+    "title": "T",
+    "caption": "C",
+    "profile": {"surface": {"type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4}, "omega_o": "60deg"},
+    "panels": [{"profile": {"rays": 3}}],
+}
 GONE = object()
 
 # Kind, where, what is put there (GONE: taken away).
@@ -65,6 +73,8 @@ GOOD = [
     ("figure", "/panels/0/series/0", {"absolute": {"difference": [{"quantity": "d"}, {"quantity": "d_cos"}]}}),
     ("figure", "/panels/0/for_each", {"variable": "alpha", "values": [0.1, 1], "labels": ["a", "b"]}),
     ("figure", "/panels/0/for_each", [{"variable": "distribution", "values": ["ggx"]}]),
+    ("figure", "", PROFILE),
+    ("figure", "/profile", {"seed": 3, "cells": 12}),
     ("report", "/introduction", "I"),
     ("report", "/entries/0/table/tolerance", 1e-3),
     ("scene", "/name", "S"),
@@ -165,6 +175,12 @@ BAD = [
     ("material", "/distribution", {"type": "ggx", "alpha": 1, "alpha_x": 1, "alpha_y": 1}),
     ("material", "/distribution", {"type": "phong", "exponent": 1, "alpha": 1}),
     ("figure", "/panels/0/series/0", {}),
+    ("figure", "/panels/0/series", GONE),
+    ("figure", "/panels/0/profile", {}),
+    ("figure", "", {**PROFILE, "profile": {"surface": {"type": "height_map", "file": "a.png", "height": 1}}}),
+    ("figure", "", {**PROFILE, "panels": [{"profile": {"ray": 3}}]}),
+    ("figure", "", {**PROFILE, "panels": [{"profile": {"stretch": 0}}]}),
+    ("figure", "", {**PROFILE, "panels": [{"profile": {"arrows": ["mirror"]}}]}),
     ("figure", "/panels/0/series/0/absolute", {"quantity": "d"}),
     ("figure", "/panels/0/series/0", {"ratio": [{"quantity": "d"}]}),
     ("report", "/entries/0/figure", "f.json"),

@@ -71,6 +71,42 @@ TEST_CASE("figures: simulated terms") {
   });
 }
 
+TEST_CASE("figures: profiles") {
+  const auto kind = [](const std::string& profile) { return R"("kind": "profile", "profile": {)" + profile + "}"; };
+  const std::string surface =
+      R"("surface": {"type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4})";
+  const std::string viewed = surface + R"(, "omega_o": "60deg")";
+  const auto panel = [](const std::string& keys) { return R"("profile": {)" + keys + "}"; };
+  check_all({
+      {"", kind(surface), "/panels/0", "a profile has \"profile\", not \"series\""},
+      {panel(surface), "", "/panels/0", "only a figure of kind \"profile\""},
+      {series + ", " + panel(surface), kind(""), "/panels/0", "accepted: either series, or profile"},
+      {R"("title": "T")", "", "/panels/0", "found none of series, profile"},
+      {panel(""), kind(""), "/panels/0/profile", "\"surface\" is missing here and above"},
+      {panel("") + R"(, "at": {"theta_o": 1})", kind(viewed), "/panels/0/at", "a profile has no \"at\""},
+      {panel(R"("ray": 1)"), kind(viewed), "/panels/0/profile/ray", "did you mean \"rays\"?"},
+      {panel(R"("surface": {"type": "gausian", "alpha": 1})"), kind(""), "/panels/0/profile/surface/type",
+       "did you mean \"gaussian\"?"},
+      {panel(R"("surface": {"type": "uncorrelated"})"), kind(""), "/panels/0/profile/surface", "\"alpha\" is missing"},
+      {panel(R"("surface": {"type": "gaussian", "alpha": 1, "samples": 64, "correlation_length": 40})"), kind(""),
+       "/panels/0/profile/surface/correlation_length", "samples / 4"},
+      {panel(R"("rays": 3)"), kind(R"("surface": {"type": "ggx", "alpha": 1, "mean_slope": [1, 0]}, "omega_o": 1)"),
+       "/profile/surface/mean_slope", "accepted: [0, 0]"},
+      {panel(R"("rays": 3)"), kind(surface), "/panels/0/profile", "\"omega_o\" is missing"},
+      {panel(R"("rays": 3)"), kind(surface + R"(, "omega_o": "90.5deg")"), "/profile/omega_o", "below the horizon"},
+      {panel(R"("shear": -2)"), kind(viewed), "/panels/0/profile/shear", "takes omega_o below the horizontal"},
+      {panel(R"("omega_i": 2)"), kind(viewed), "/panels/0/profile/omega_i", "below the horizon"},
+      {panel(R"("arrows": ["omega_i"])"), kind(viewed), "/panels/0/profile/arrows", "needs \"omega_i\""},
+      {panel(R"("arrows": ["omega"])"), kind(viewed), "/panels/0/profile/arrows/0", "accepted: omega_o, omega_i"},
+      {panel(R"("numbers": ["autocorrelation"])"), kind(R"("surface": {"type": "v_cavity", "alpha": 1})"),
+       "/panels/0/profile/numbers", "gaussian, ggx, uncorrelated"},
+      {panel(R"("rays": 2)"), kind(R"("omega_o": 1, "surface": {"type": "uncorrelated", "alpha": 1})"),
+       "/panels/0/profile/rays", "accepted: a joined surface"},
+      {panel(R"("cut": 64)"), kind(viewed), "/panels/0/profile/cut", "found 64; accepted: a whole number below 64"},
+      {panel(R"("stretch": 0)"), kind(viewed), "/panels/0/profile/stretch", "found 0"},
+  });
+}
+
 TEST_CASE("figures: shape") {
   check_all({
       {"", R"("colums": 2)", "/colums", "did you mean \"columns\"?"},

@@ -1,0 +1,15 @@
+/// \file
+/// The `profile` of a figure and of its panels.
+#pragma once
+
+#include "config/shapes.hpp"
+#include "plot/description.hpp"
+
+namespace brdfplot::config {
+
+ShapePtr profile_shape();
+
+/// The profile of the panel at `pointer`, with what the figure says of all. Fails where something is wrong with it.
+plot::ProfileDescription read_profile(const JsonFile& file, const Json& panel, const std::string& pointer);
+
+} // namespace brdfplot::config

@@ -1,0 +1,28 @@
+/// \file
+/// A microsurface in profile as a panel: what is drawn of it, in which parts, and what is measured on it.
+#pragma once
+
+#include "plot/description.hpp"
+#include "plot/profile_surface.hpp"
+
+#include <string>
+#include <vector>
+
+namespace brdfplot::plot {
+
+/// What a profile's arrows may be.
+const std::vector<std::string>& profile_arrows();
+
+/// What may be measured: `g1`, the visible share of the facets that face omega_o, beside the model's;
+/// `projected_area`, that of what is visible, beside the mesosurface's (Heitz 2014, Eqs. 10, 11); `autocorrelation` of
+/// heights at the correlation length.
+const std::vector<std::string>& profile_numbers();
+
+/// What is wrong with a profile, if anything is; the key may go on into the surface ("surface/alpha").
+std::optional<ParameterError> problem_of(const ProfileDescription& description);
+
+/// The panel: series of equal sight ("visible", "masked", ...) as polylines, rounded to millionths of a facet.
+/// \throws InputError
+Panel profile_panel(const PanelDescription& description);
+
+} // namespace brdfplot::plot
