@@ -157,6 +157,15 @@ NormalIntegrand switch_of(const Direction& o, const Function& function) {
   };
 }
 
+/// The sign of a_i - a_o.
+NormalIntegrand elevation(const SlopeMap& map, const Direction& o) {
+  const Projection viewer = map.project(o);
+  return switch_of(o, [&map, viewer](const Direction&, const Direction& i) {
+    const Projection light = map.project(i);
+    return light.c * viewer.s - viewer.c * light.s;
+  });
+}
+
 /// What changes its sign where G1(o) = G1(i): c_i - c_o where G1 is a function of c and what both directions share, as
 /// it is on isotropic surfaces; a_i - a_o where it is one of a.
 NormalIntegrand comparison(const Material& material, const Direction& o) {
@@ -172,10 +181,19 @@ NormalIntegrand comparison(const Material& material, const Direction& o) {
       return evaluate(material, Quantity::g1, i, std::nullopt, h) -
              evaluate(material, Quantity::g1, o, std::nullopt, h);
     });
-  return switch_of(o, [&map, viewer](const Direction&, const Direction& i) {
-    const Projection light = map.project(i);
-    return light.c * viewer.s - viewer.c * light.s;
-  });
+  return elevation(map, o);
+}
+
+/// Whether the factor that correlates the directions has a kink where a_i = a_o.
+bool compares_elevations(const Shadowing& shadowing) {
+  return std::visit(
+      []<class S>(const S& s) {
+        if constexpr (S::needs_azimuth)
+          return s.lambda == DirectionFactor::fitted;
+        else
+          return false;
+      },
+      shadowing);
 }
 
 /// Where the shadowing and masking functions of a material have kinks.
@@ -194,6 +212,7 @@ std::vector<NormalIntegrand> switches(const Material& material, const Direction&
       const Projection light = map.project(i);
       return light.c - SmithRational::end * light.s;
     }));
+  if (compares_elevations(material.shadowing)) all.push_back(elevation(map, o));
   const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
   // The azimuth of the light turns around where it is at the normal: a corner for rectangles, on one of their edges.
   if (azimuth && o.x * o.x + o.y * o.y > 0)

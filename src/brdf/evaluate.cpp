@@ -145,25 +145,37 @@ void mask(const Material& material, const Block& block, const Columns& omega, Si
 }
 
 /// phi_o - phi_i wrapped to [0, pi]; 0 where one of them is at the normal.
-double azimuth_difference(const Direction& o, const Direction& i) {
-  return std::atan2(std::fabs(o.x * i.y - o.y * i.x), o.x * i.x + o.y * i.y);
+double azimuth_difference(const Vec2& o, const Vec2& i) {
+  return std::atan2(std::fabs(o[0] * i[1] - o[1] * i[0]), o[0] * i[0] + o[1] * i[1]);
+}
+
+/// The pair as the factor of a form of shadowing sees it, if it has one.
+template <class S>
+DirectionPair direction_pair(const S& shadowing, const SlopeMap& map, const Direction& o, const Projection& viewer,
+                             const Direction& i, const Projection& light) {
+  if constexpr (!S::needs_azimuth)
+    return {};
+  else if (azimuth_after_stretching(shadowing.lambda))
+    return {azimuth_difference(map.on_unit_surface(o), map.on_unit_surface(i)), viewer, light};
+  else
+    return {azimuth_difference({o.x, o.y}, {i.x, i.y}), viewer, light};
 }
 
 /// G2 / (c_o c_i), 0 where it is undefined or a side is hidden.
 void shadow(const Material& material, Block& block) {
   mask(material, block, block.o, block.viewer);
   mask(material, block, block.i, block.light);
+  const SlopeMap& map = material.slopes();
   std::visit(
       [&](const auto& shadowing) {
         const Side& v = block.viewer;
         const Side& l = block.light;
         for (std::size_t k = 0; k < block.n; ++k) {
           const Direction o = at(block.o, k), i = at(block.i, k), m = at(block.m, k);
-          double azimuth = 0;
-          if constexpr (std::remove_cvref_t<decltype(shadowing)>::needs_azimuth) azimuth = azimuth_difference(o, i);
           const bool facing = block.has_half || (careful_dot(o, m) > 0 && careful_dot(i, m) > 0);
           const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && m.z > 0;
-          const double visibility = shadowing.visibility({v.c[k], v.u[k], v.t[k], l.c[k], l.u[k], l.t[k], azimuth});
+          const DirectionPair pair = direction_pair(shadowing, map, o, {v.c[k], v.s[k]}, i, {l.c[k], l.s[k]});
+          const double visibility = shadowing.visibility({v.c[k], v.u[k], v.t[k], l.c[k], l.u[k], l.t[k], pair});
           block.visibility[k] = lit ? visibility : 0;
         }
       },

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "math/kernels/kernels.hpp"
+#include "microfacet/direction_factor.hpp"
 #include "microfacet/parameters.hpp"
 
 #include <algorithm>
@@ -18,34 +19,20 @@ namespace brdfplot {
 struct MaskedPair {
   double c_o = 1, u_o = 1, t_o = 0;
   double c_i = 1, u_i = 1, t_i = 0;
-  double azimuth_difference = 0; ///< of omega_o and omega_i, wrapped to [0, pi]
+  DirectionPair directions{}; ///< where a factor of the directions is asked
 };
-
-/// Which empirical factor correlates masking and shadowing by direction.
-enum class DirectionFactor { ashikhmin, ginneken };
-
-/// lambda(phi), phi in [0, pi]: 1 - exp(-7.3 phi^2) (Ashikhmin et al. 2000; RTR4, Eq. 9.29) or 4.41 phi / (4.41 phi +
-/// 1) (van Ginneken et al. 1998; RTR4, Eq. 9.30).
-inline double direction_factor(DirectionFactor which, double phi) {
-  return which == DirectionFactor::ashikhmin ? -std::expm1(-7.3 * phi * phi) : 4.41 * phi / (4.41 * phi + 1);
-}
-
-/// 1 - lambda(phi), without the difference: where one side is grazing it weighs the smaller G1 against a product that
-/// is smaller still.
-inline double direction_complement(DirectionFactor which, double phi) {
-  return which == DirectionFactor::ashikhmin ? std::exp(-7.3 * phi * phi) : 1 / (4.41 * phi + 1);
-}
 
 /// The declaration of `lambda` and its reading, shared by the two types that have it.
 inline ParameterSpec direction_factor_parameter() {
   return {.key = "lambda",
           .kind = ParameterKind::choice,
-          .doc = "factor of the azimuth difference (RTR4, Eqs. 9.29-9.30)",
-          .choices = {"ashikhmin", "ginneken"}};
+          .doc = "factor of the azimuth difference (RTR4, Eqs. 9.29-9.30), or of both directions, fitted to surfaces",
+          .choices = direction_factor_names()};
 }
 
 inline DirectionFactor direction_factor_from(const Values& values) {
-  return values.text("lambda") == "ashikhmin" ? DirectionFactor::ashikhmin : DirectionFactor::ginneken;
+  const auto& names = direction_factor_names();
+  return static_cast<DirectionFactor>(std::ranges::find(names, values.text("lambda")) - names.begin());
 }
 
 /// V of min(G1(o), G1(i)).
@@ -117,9 +104,8 @@ struct DirectionCorrelated {
   static constexpr bool needs_azimuth = true;
   static constexpr bool compares = true;
   double visibility(const MaskedPair& p) const {
-    const double factor = direction_factor(lambda, p.azimuth_difference);
-    const double complement = direction_complement(lambda, p.azimuth_difference);
-    return factor / (p.u_o * p.u_i) + complement * minimum_visibility(p);
+    const DirectionCorrelation by = direction_correlation(lambda, p.directions);
+    return by.lambda / (p.u_o * p.u_i) + by.complement * minimum_visibility(p);
   }
 };
 
@@ -139,7 +125,7 @@ struct HeightDirectionCorrelated {
   double visibility(const MaskedPair& p) const {
     const double o = p.c_i * p.t_o;
     const double i = p.c_o * p.t_i;
-    const double factor = direction_factor(lambda, p.azimuth_difference);
+    const double factor = direction_correlation(lambda, p.directions).lambda;
     return 1 / (p.c_o * p.c_i + std::max(o, i) + factor * std::min(o, i));
   }
 };

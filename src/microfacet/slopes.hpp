@@ -34,9 +34,13 @@ struct SlopeMap {
   /// c and s of Eqs. 96-97: a = c / s, projected area of the mesosurface c = z - x mean_x - y mean_y (section 5.5), and
   /// s = |L^T (x, y)| as a sum of squares, so that it does not cancel for |r| near 1.
   Projection project(const Direction& omega) const {
-    const double along = alpha_x * omega.x + correlation * alpha_y * omega.y;
-    const double across = decorrelation() * alpha_y * omega.y;
-    return {omega.z - omega.x * mean_x - omega.y * mean_y, std::hypot(along, across)};
+    const Vec2 h = on_unit_surface(omega);
+    return {omega.z - omega.x * mean_x - omega.y * mean_y, std::hypot(h[0], h[1])};
+  }
+
+  /// L^T (x, y): the horizontal part of a direction after the map that makes the slopes those of unit roughness.
+  Vec2 on_unit_surface(const Direction& omega) const {
+    return {alpha_x * omega.x + correlation * alpha_y * omega.y, decorrelation() * alpha_y * omega.y};
   }
 
   /// z_m^2 |u|^2 for the slope of the normal omega_m: the norm of Eq. 95 without a division by z_m.

@@ -103,15 +103,17 @@ TEST_CASE("albedos: the error estimate bounds the true error in random cases") {
       {"minimum", ""},
       {"direction_correlated", "ginneken"},
       {"direction_correlated", "ashikhmin"},
+      {"direction_correlated", "fitted"},
       {"height_correlated", ""},
       {"height_direction_correlated", "ginneken"},
       {"height_direction_correlated", "ashikhmin"},
+      {"height_direction_correlated", "fitted"},
   };
   const int count = case_count(1000) / 8;
   for (int k = 0; k < count; ++k) {
     const bool cavity = k % 4 == 3;
     RandomCase one(engine, cavity ? "v_cavity" : k % 8 == 4 ? "smith_rational" : "smith");
-    const auto& shadowing = shadowings[static_cast<std::size_t>(k / 4) % (cavity ? 5 : 8)];
+    const auto& shadowing = shadowings[static_cast<std::size_t>(k / 4) % (cavity ? 6 : 10)];
     one.description = shadowed(one.description, shadowing[0], shadowing[1]);
     const Material material = build(one.description);
     if (!(material.slopes().project(one.o).c > 0)) continue;

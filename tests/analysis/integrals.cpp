@@ -126,7 +126,7 @@ TEST_CASE("the furnace to 1e-8 for every G2 over roughness and angle, never abov
   for (const auto* masking : {"smith", "v_cavity"}) {
     for (const auto* shadowing : {"none", "separable", "minimum", "height_correlated"})
       if (masking[0] == 's' || shadowing[0] != 'h') forms.push_back({masking, shadowing, ""});
-    for (const auto* lambda : {"ashikhmin", "ginneken"}) {
+    for (const auto* lambda : {"ashikhmin", "ginneken", "fitted"}) {
       forms.push_back({masking, "direction_correlated", lambda});
       if (masking[0] == 's') forms.push_back({masking, "height_direction_correlated", lambda});
     }

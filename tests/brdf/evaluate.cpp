@@ -20,8 +20,10 @@ std::vector<Material> reciprocal_materials() {
   for (const auto* type : {"separable", "minimum", "height_correlated"})
     out.push_back(build(shadowed(general("beckmann", 0.3, 0.7, 0.4), type)));
   for (const auto* type : {"direction_correlated", "height_direction_correlated"})
-    for (const auto* factor : {"ashikhmin", "ginneken"})
+    for (const auto* factor : {"ashikhmin", "ginneken", "fitted"})
       out.push_back(build(shadowed(describe("ggx", 0.6), type, factor)));
+  out.push_back(
+      build(shadowed(general("beckmann", 0.3, 0.7, 0.4, {0.2, 0.1}), "height_direction_correlated", "fitted")));
   for (const auto* masking : {"v_cavity", "implicit", "schlick_smith", "schlick_smith_rational", "kelemen"})
     out.push_back(material("beckmann", 0.5, masking));
   out.push_back(material("phong", 0.5));

@@ -40,6 +40,7 @@ std::vector<Material> materials() {
     all.push_back(build(general(type, 0.25, 0.75, 0.5, {0.25, -0.5})));
     all.push_back(build(shadowed(general(type, 0.25, 0.125, 0), "separable")));
     all.push_back(build(shadowed(describe(type, 0.5), "direction_correlated", "ginneken"))); // no kernel for its BRDF
+    all.push_back(build(shadowed(general(type, 0.25, 0.5, 0.5), "height_direction_correlated", "fitted")));
     all.push_back(material(type, 0.5, "v_cavity"));
   }
   all.push_back(gtr(0.25, 1.5));

@@ -61,6 +61,7 @@ GOOD = [
     ("material", "/distribution", {"type": "gtr", "alpha": 0.1, "gamma": 2}),
     ("material", "/masking", {"type": "v_cavity"}),
     ("material", "/shadowing", {"type": "direction_correlated", "lambda": "ginneken"}),
+    ("material", "/shadowing", {"type": "height_direction_correlated", "lambda": "fitted"}),
     ("material", "/fresnel", {"type": "conductor", "eta": [0.1, 0.4, 1.4], "k": 2}),
     ("figure", "/panels/0/title", "T"),
     ("figure", "/x/from", "-90deg"),

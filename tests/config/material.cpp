@@ -105,7 +105,7 @@ TEST_CASE("materials: unknown keys and names, with the nearest accepted one") {
        {"\"lambda\" is missing", "\"ginneken\""}},
       {with(R"("shadowing": {"type": "direction_correlated", "lambda": "heitz2013"})"),
        "/shadowing/lambda",
-       {"\"heitz2013\"", "accepted: ashikhmin, ginneken"}},
+       {"\"heitz2013\"", "accepted: ashikhmin, ginneken, fitted"}},
       {with(R"("fresnel": {"type": "schlick"})"), "/fresnel", {"\"f0\" is missing"}},
       {with("\"a\\nb\": 1"), "/a\\nb", {"unknown key \"a\\nb\""}},
   });

@@ -25,9 +25,11 @@ TEST_CASE("G2 in all its forms, from G1 and Lambda") {
     CHECK(relative(g2("separable", "", o, i), go * gi) < 4e-15);
     CHECK(relative(g2("minimum", "", o, i), std::min(go, gi)) < 4e-15);
     CHECK(relative(g2("height_correlated", "", o, i), 1 / (1 + lo + li)) < 4e-15);
-    for (const auto* factor : {"ashikhmin", "ginneken"}) {
-      const double l = std::string(factor) == "ashikhmin" ? 1 - std::exp(-7.3 * wrapped * wrapped)
-                                                          : 4.41 * wrapped / (4.41 * wrapped + 1);
+    const DirectionPair pair{wrapped, {o.z, 0.8 * std::sin(1.2)}, {i.z, 0.8 * std::sin(0.9)}};
+    for (const auto* factor : {"ashikhmin", "ginneken", "fitted"}) {
+      const double l = factor[0] == 'a'   ? 1 - std::exp(-7.3 * wrapped * wrapped)
+                       : factor[0] == 'g' ? 4.41 * wrapped / (4.41 * wrapped + 1)
+                                          : fitted_direction_correlation(pair).lambda;
       CHECK(relative(g2("direction_correlated", factor, o, i), l * go * gi + (1 - l) * std::min(go, gi)) < 1e-13);
       CHECK(relative(g2("height_direction_correlated", factor, o, i),
                      1 / (1 + std::max(lo, li) + l * std::min(lo, li))) < 1e-13);
@@ -39,16 +41,18 @@ TEST_CASE("at the hotspot nothing that is seen is in shadow") {
   const Direction o = from_angles(1.3, 0.7);
   const double masking = g1(material("ggx", 0.8), o);
   for (const auto* type : {"direction_correlated", "height_direction_correlated"})
-    for (const auto* factor : {"ashikhmin", "ginneken"}) CHECK(relative(g2(type, factor, o, o), masking) < 1e-14);
+    for (const auto* factor : {"ashikhmin", "ginneken", "fitted"})
+      CHECK(relative(g2(type, factor, o, o), masking) < 1e-14);
   CHECK(g2("height_correlated", "", o, o) < 0.8 * masking);
 }
 
 TEST_CASE("the factors are those of RTR4, Eqs. 9.29 and 9.30") {
-  CHECK(direction_factor(DirectionFactor::ginneken, std::numbers::pi) == doctest::Approx(0.9327).epsilon(1e-3));
-  CHECK(direction_factor(DirectionFactor::ashikhmin, 20 * degree) == doctest::Approx(0.589).epsilon(1e-3));
-  CHECK(direction_factor(DirectionFactor::ginneken, 20 * degree) == doctest::Approx(0.606).epsilon(1e-3));
-  CHECK(direction_factor(DirectionFactor::ashikhmin, 0) == 0);
-  CHECK(direction_factor(DirectionFactor::ginneken, 0) == 0);
+  const auto factor = [](DirectionFactor which, double phi) { return direction_correlation(which, {phi}).lambda; };
+  CHECK(factor(DirectionFactor::ginneken, std::numbers::pi) == doctest::Approx(0.9327).epsilon(1e-3));
+  CHECK(factor(DirectionFactor::ashikhmin, 20 * degree) == doctest::Approx(0.589).epsilon(1e-3));
+  CHECK(factor(DirectionFactor::ginneken, 20 * degree) == doctest::Approx(0.606).epsilon(1e-3));
+  CHECK(factor(DirectionFactor::ashikhmin, 0) == 0);
+  CHECK(factor(DirectionFactor::ginneken, 0) == 0);
 }
 
 TEST_CASE("V-cavities default to the minimum of masking and shadowing") {
