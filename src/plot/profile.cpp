@@ -66,6 +66,13 @@ std::vector<Span> visible_independent(const Profile& profile, double theta, Watc
   return out;
 }
 
+/// The width below all facets: where they are independent there are gaps between them, which do not count.
+double width_of(const Profile& profile) {
+  double width = 0;
+  for (const Segment& s : profile.facets) width += s.x1 - s.x0;
+  return width;
+}
+
 } // namespace
 
 std::size_t Profile::base(std::ptrdiff_t index) const {
@@ -127,23 +134,45 @@ std::vector<Span> visible(const Profile& profile, double theta, Watcher watcher)
   return profile.independent ? visible_independent(profile, theta, watcher) : visible_joined(profile, theta);
 }
 
+Shares& Shares::operator+=(const Shares& other) {
+  facing += other.facing;
+  seen += other.seen;
+  return *this;
+}
+
+Visibility& Visibility::operator+=(const Visibility& other) {
+  shares += other.shares;
+  seen_area += other.seen_area;
+  mesosurface += other.mesosurface;
+  return *this;
+}
+
 Visibility measure(const Profile& profile, double theta) {
   Visibility out;
   const std::vector<Span> spans = visible(profile, theta);
-  double width = 0;
+  const double width = width_of(profile);
   for (std::size_t k = 0; k < spans.size(); ++k) {
     const Segment& s = profile.facets[k];
-    const double area = projected_area(s, theta);
-    width += s.x1 - s.x0;
-    if (area > 0) out.facing += s.x1 - s.x0;
-    out.seen += spans[k].length() * (s.x1 - s.x0);
+    const double share = (s.x1 - s.x0) / width, area = projected_area(s, theta) / width;
+    if (area > 0) out.shares.facing += share;
+    out.shares.seen += spans[k].length() * share;
     out.seen_area += spans[k].length() * area;
   }
-  // Per area below the facets: where they are independent there are gaps between them.
-  out.facing /= width;
-  out.seen /= width;
-  out.seen_area /= width;
   out.mesosurface = projected_mesosurface(profile, theta) / profile.period;
+  return out;
+}
+
+Shares measure(const Profile& profile, double theta_o, double theta_i) {
+  Shares out;
+  const std::vector<Span> viewed = visible(profile, theta_o), lit = visible(profile, theta_i, Watcher::light);
+  const double width = width_of(profile);
+  for (std::size_t k = 0; k < viewed.size(); ++k) {
+    const Segment& s = profile.facets[k];
+    const double share = (s.x1 - s.x0) / width;
+    if (projected_area(s, theta_o) > 0 && projected_area(s, theta_i) > 0) out.facing += share;
+    const Span both{std::max(viewed[k].from, lit[k].from), std::min(viewed[k].to, lit[k].to)};
+    out.seen += both.length() * share;
+  }
   return out;
 }
 

@@ -81,14 +81,26 @@ enum class Watcher { viewer, light };
 /// \throws InputError where the mesosurface does not face theta.
 std::vector<Span> visible(const Profile& profile, double theta, Watcher watcher = Watcher::viewer);
 
+/// Of the area of the geometric surface, the share over which facets face, and over which they are visible.
+struct Shares {
+  double facing = 0;
+  double seen = 0;
+
+  Shares& operator+=(const Shares& other);
+};
+
 /// How much of a profile faces a direction and is visible from it, per area of the geometric surface.
 struct Visibility {
-  double facing = 0;      ///< share of the geometric surface over which facets face it
-  double seen = 0;        ///< share of it over which they are visible
+  Shares shares;
   double seen_area = 0;   ///< projected area of what is visible
   double mesosurface = 0; ///< projected area of the mesosurface
+
+  Visibility& operator+=(const Visibility& other);
 };
 Visibility measure(const Profile& profile, double theta);
+
+/// What faces both directions, and is visible from both.
+Shares measure(const Profile& profile, double theta_o, double theta_i);
 
 /// Where the ray from a point of facet `index` (at a fraction of it) towards theta meets a joined surface again, if it
 /// does.

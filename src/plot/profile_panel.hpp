@@ -13,7 +13,8 @@ namespace brdfplot::plot {
 /// What a profile's arrows may be.
 const std::vector<std::string>& profile_arrows();
 
-/// What may be measured: `g1`, the visible share of the facets that face omega_o, beside the model's;
+/// What may be measured: `g1`, the visible share of the facets that face omega_o, beside the model's; `g2`, the visible
+/// and lit share of those that face omega_o and omega_i, beside Smith's separable and height-correlated (Eqs. 98, 99);
 /// `projected_area`, that of what is visible, beside the mesosurface's (Heitz 2014, Eqs. 10, 11); `autocorrelation` of
 /// heights at the correlation length.
 const std::vector<std::string>& profile_numbers();

@@ -51,23 +51,24 @@ Box label_box(const std::string& text, Point tip, double theta, double gap) {
   return {middle.x - w / 2, middle.y - h / 2, w, h};
 }
 
-/// Places the labels of arrows at their tips, farther out where they would meet. Places are relative to the lower left
-/// corner of the plot.
+/// Where an arrow begins, relative to the lower left corner of the plot.
+Point place_of(const PanelPlan& plan, const Sketch::Pointer& arrow) {
+  return {place_in(plan.x, Scale::linear, arrow.x) * plan.plot.w,
+          -place_in(plan.y, Scale::linear, arrow.y) * plan.plot.h};
+}
+
+/// Places the labels of arrows at their tips, farther out where they would meet.
 void place_labels(PanelPlan& plan, double length) {
-  const auto place = [&](const Sketch::Pointer& arrow) {
-    return Point{place_in(plan.x, Scale::linear, arrow.x) * plan.plot.w,
-                 -place_in(plan.y, Scale::linear, arrow.y) * plan.plot.h};
-  };
   const auto& arrows = plan.panel->sketch->arrows;
   plan.labels.clear();
   for (const auto& arrow : arrows) {
-    const Point tip = tip_of(place(arrow), arrow.theta, length);
+    const Point tip = tip_of(place_of(plan, arrow), arrow.theta, length);
     Box box;
     for (int tries = 0; tries < 30; ++tries) {
       box = label_box(arrow.label, tip, arrow.theta, 3 + 2 * tries);
       const auto on_label = [&](const PolarLabel& other) { return box.touches(other.box, 2); };
       const auto on_arrow = [&](const Sketch::Pointer& other) {
-        const Point end = tip_of(place(other), other.theta, length);
+        const Point end = tip_of(place_of(plan, other), other.theta, length);
         return other.theta != arrow.theta && box.touches({end.x, end.y, 0, 0}, 6);
       };
       if (std::ranges::none_of(plan.labels, on_label) && std::ranges::none_of(arrows, on_arrow)) break;
@@ -85,14 +86,28 @@ void set_scale(PanelPlan& plan, double width, double unit) {
   plan.y = {bounds.bottom, bounds.top};
 }
 
-/// How far the labels reach beyond the plot.
-Insets overhang(const PanelPlan& plan) {
+/// How far labels and arrows reach beyond the plot.
+Insets overhang(const PanelPlan& plan, double length) {
   Insets out;
-  for (const auto& label : plan.labels) {
-    out.left = std::max(out.left, -label.box.x);
-    out.right = std::max(out.right, label.box.right() - plan.plot.w);
-    out.top = std::max(out.top, -label.box.y - plan.plot.h);
+  const auto add = [&](const Box& box) {
+    out.left = std::max(out.left, -box.x);
+    out.right = std::max(out.right, box.right() - plan.plot.w);
+    out.top = std::max(out.top, -box.y - plan.plot.h);
+    out.bottom = std::max(out.bottom, box.bottom());
+  };
+  const auto add_tips = [&](const std::vector<Sketch::Pointer>& arrows, double reach) {
+    for (const auto& arrow : arrows) {
+      const Point tip = tip_of(place_of(plan, arrow), arrow.theta, reach);
+      add({tip.x - 2, tip.y - 2, 4, 4});
+    }
+  };
+  for (const auto& label : plan.labels) add(label.box);
+  for (const auto& line : plan.panel->sketch->projection) {
+    const Point end = place_of(plan, {"", line.x0, line.y0, 0});
+    add({end.x - 4, end.y - 6, 8, 12});
   }
+  add_tips(plan.panel->sketch->arrows, length);
+  add_tips(plan.panel->sketch->normals, normal_length);
   return out;
 }
 
@@ -186,10 +201,10 @@ void measure_profile(const Figure& figure, FigurePlan& plan, double width) {
       const double own = bounds_of(*panel.panel->sketch).width();
       set_scale(panel, w, w / (figure.share == Share::none ? own : widest));
       place_labels(panel, arrow_length(cell));
-      const Insets over = overhang(panel);
+      const Insets over = overhang(panel, arrow_length(cell));
       most.left = std::max(most.left, over.left + margin);
       most.right = std::max(most.right, over.right + margin);
-      panel.insets = {insets.left, insets.right, over.top + 4, 2};
+      panel.insets = {insets.left, insets.right, over.top + 6, over.bottom + 2};
     }
     if (most.left <= insets.left && most.right <= insets.right) break;
     insets.left = std::max(insets.left, most.left);

@@ -60,8 +60,8 @@ TEST_CASE("profiles: what is visible has the projected area of the mesosurface, 
           CAPTURE(angle);
           const Visibility v = measure(profile, theta);
           CHECK(v.seen_area == doctest::Approx(v.mesosurface).epsilon(1e-12 * (1 + size) / v.mesosurface));
-          CHECK(v.seen <= v.facing);
-          CHECK(v.facing <= 1 + 1e-12);
+          CHECK(v.shares.seen <= v.shares.facing);
+          CHECK(v.shares.facing <= 1 + 1e-12);
         }
       }
     }
@@ -144,7 +144,7 @@ TEST_CASE("profiles: V-cavities are visible as Eq. 49 says") {
       const double cos_o = std::cos(angle * degree), sin_o = std::sin(std::fabs(angle * degree));
       // 2 cos_m cos_o / (o.m), with o.m = cos_m (cos_o + sin_o tan_m)
       const double expected = std::fmin(1, 2 * cos_o / (cos_o + sin_o * tan_m));
-      CHECK(v.seen / v.facing == doctest::Approx(expected));
+      CHECK(v.shares.seen / v.shares.facing == doctest::Approx(expected));
       CHECK(cuts.g1(k, angle * degree, {}).value() == doctest::Approx(expected));
       if (expected < 1) ++partly;
     }
@@ -169,9 +169,15 @@ TEST_CASE("profiles: independent facets are visible as Smith says, and do not kn
               : 1 / (1 + beckmann_a_lambda(1 / (0.8 * std::tan(std::fabs(theta)))) * 0.8 * std::tan(std::fabs(theta)));
       CAPTURE(angle);
       CHECK(cuts.g1(0, theta, distortion).value() == doctest::Approx(expected));
-      CHECK(v.seen / v.facing == doctest::Approx(expected).epsilon(0.01));
+      CHECK(v.shares.seen / v.shares.facing == doctest::Approx(expected).epsilon(0.01));
       CHECK(v.seen_area == doctest::Approx(v.mesosurface).epsilon(0.015));
     }
+  // Smith's height-correlated form (Heitz 2014, Eq. 99), and what it is where viewer and light are one.
+  for (const double angle : {-70.0, 50.0, 75.0}) {
+    const Shares both = measure(profile, 60 * degree, angle * degree);
+    const double o = cuts.g1(0, 60 * degree, {}).value(), i = cuts.g1(0, angle * degree, {}).value();
+    CHECK(both.seen / both.facing == doctest::Approx(1 / (1 / o + 1 / i - 1)).epsilon(0.01));
+  }
 }
 
 TEST_CASE("profiles: generated surfaces have the autocorrelation and the slopes that are asked") {
@@ -189,6 +195,19 @@ TEST_CASE("profiles: generated surfaces have the autocorrelation and the slopes 
     CHECK(2 * squares == doctest::Approx(along_y ? 0.09 : 0.36).epsilon(1e-3));
     // Heights are less steep along y, over twice the distance.
     CHECK(autocorrelation(cuts, along_y ? 16 : 8) == doctest::Approx(std::exp(-1)).epsilon(0.05));
+  }
+}
+
+TEST_CASE("profiles: what viewer and light see together is at most what one of them sees") {
+  const Profile profile = joined(random_heights(80, 4, 9));
+  for (const double angle : {-75.0, -30.0, 0.0, 70.0}) {
+    const Shares both = measure(profile, 70 * degree, angle * degree);
+    const Shares light = measure(profile, angle * degree).shares, viewer = measure(profile, 70 * degree).shares;
+    CHECK(both.seen <= std::fmin(light.seen, viewer.seen) + 1e-12);
+    CHECK(both.facing <= std::fmin(light.facing, viewer.facing) + 1e-12);
+    CHECK(both.seen <= both.facing + 1e-12);
+    if (angle == 0) CHECK(both.seen == doctest::Approx(viewer.seen));
+    if (angle == 70) CHECK(both.seen == doctest::Approx(viewer.seen));
   }
 }
 
