@@ -121,6 +121,12 @@ template <class T>
 BRDFPLOT_INLINE T residual(T x, T y, T z) {
   return multiply_add(-y, z, x);
 }
+
+/// x (k + k_low), rounded once but for what is twice as small.
+template <class T>
+BRDFPLOT_INLINE T times(T x, T k, T k_low) {
+  return multiply_add(x, k, x * k_low);
+}
 #else
 /// Without the instruction a fused multiply-add is a function call; two roundings then have to do.
 template <class T>
@@ -142,6 +148,13 @@ template <class T>
 BRDFPLOT_INLINE T residual(T x, T y, T z) {
   const T product = y * z;
   return (x - product) - product_low(y, z, product);
+}
+
+/// x (k + k_low), rounded once but for what is twice as small.
+template <class T>
+BRDFPLOT_INLINE T times(T x, T k, T k_low) {
+  const T product = x * k;
+  return product + (product_low(x, k, product) + x * k_low);
 }
 #endif
 

@@ -10,7 +10,7 @@ namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
 
 using Vector3 = Vector<double>;
 
-BRDFPLOT_INLINE double times(double x, const detail::Constant<double>& k) { return multiply_add(x, k.high, x * k.low); }
+BRDFPLOT_INLINE double times(double x, const detail::Constant<double>& k) { return times(x, k.high, k.low); }
 
 BRDFPLOT_INLINE double times(double x, double x_low, const detail::Constant<double>& k) {
   const Pair<double> result = product(x, x_low, k.high, k.low);

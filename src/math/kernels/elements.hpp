@@ -127,11 +127,16 @@ BRDFPLOT_INLINE Hypotenuse<T> hypotenuse(T c, T s) {
   return {u, v, root_by_products(multiply_add(u, u, v * v))};
 }
 
+/// As careful as Beckmann's, but for the root.
 template <class T>
 BRDFPLOT_INLINE T masked_area_ggx(T c, T s) {
   const Hypotenuse<T> h = hypotenuse(c, s);
-  // The first factor keeps the size of s, so that only true underflow is underflow.
-  return s * ((T(0.5) * h.s) / not_zero(h.c + h.root)) + larger(-c, T(0));
+  const Pair<T> both = sum(h.c, h.root);
+  const T half = T(0.5) * h.s, divisor = not_zero(both.high);
+  const T quotient = half / divisor;
+  const T missing = multiply_add(-quotient, both.low, residual(half, quotient, divisor));
+  // The factor s keeps its size, so that only true underflow is underflow.
+  return times(s, quotient, missing / divisor) + larger(-c, T(0));
 }
 
 template <class T>
