@@ -6,6 +6,7 @@
 #include "math/errors.hpp"
 #include "math/number.hpp"
 #include "microfacet/registry.hpp"
+#include "plot/profile_surface.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/surface.hpp"
 #include "terminal.hpp"
@@ -167,6 +168,8 @@ const std::vector<Section>& sections() {
       {"quantities", describe_quantities},
       {"surfaces", [] { return describe_list<simulation::Surface>("Surfaces (\"surface\" of a scene)"); }},
       {"measures", describe_measures},
+      {"profiles",
+       [] { return describe_list<plot::ProfileSurface>("Surfaces in profile (\"surface\" of a profile)"); }},
   };
   return all;
 }
@@ -190,7 +193,7 @@ Command add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "Models and quantities, with their parameters and sources");
   command
       ->add_option("section", *wanted,
-                   "distributions, masking, shadowing, fresnel, quantities, surfaces or measures; "
+                   "distributions, masking, shadowing, fresnel, quantities, surfaces, measures or profiles; "
                    "default: all")
       ->type_name("SECTION");
   command->footer(footer("brdfplot list distributions"));

@@ -45,7 +45,7 @@ std::string place(const FigureDescription& figure, const PanelDescription& panel
   const auto call = [](const std::string& what, const std::string& name, std::ptrdiff_t index) {
     return ", " + what + " " + (name.empty() ? std::to_string(index + 1) : "\"" + one_line(name) + "\"");
   };
-  const std::string where = one_line(figure.id) + call("panel", panel.title, &panel - figure.panels.data());
+  std::string where = one_line(figure.id) + call("panel", panel.title, &panel - figure.panels.data());
   if (!series) return where;
   return where + call("series", panel.series.at(*series).label, static_cast<std::ptrdiff_t>(*series));
 }

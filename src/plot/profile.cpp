@@ -82,8 +82,9 @@ std::size_t Profile::base(std::ptrdiff_t index) const {
 
 Segment Profile::facet(std::ptrdiff_t index) const {
   const std::size_t at = base(index);
-  const auto periods =
-      static_cast<double>((index - static_cast<std::ptrdiff_t>(at)) / static_cast<std::ptrdiff_t>(facets.size()));
+  const auto count = static_cast<std::ptrdiff_t>(facets.size());
+  const std::ptrdiff_t whole = (index - static_cast<std::ptrdiff_t>(at)) / count;
+  const auto periods = static_cast<double>(whole);
   const Segment& s = facets[at];
   return {s.x0 + periods * period, s.h0 + periods * rise, s.x1 + periods * period, s.h1 + periods * rise};
 }

@@ -209,7 +209,8 @@ void Drawing::add_arrows(Sketch& sketch) const {
   constexpr int steps = 1000;
   double best = description_.point;
   for (int i = 0; i <= 2 * steps; ++i) {
-    const double step = static_cast<double>((i + 1) / 2) / steps;
+    const int away_by = (i + 1) / 2;
+    const double step = static_cast<double>(away_by) / steps;
     const double point = description_.point + (i % 2 == 0 ? step : -step);
     if (point < 0 || point >= 1) continue;
     const auto [k, fraction] = place(point);

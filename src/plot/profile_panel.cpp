@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -13,7 +14,8 @@ namespace brdfplot::plot {
 
 namespace {
 
-std::string percent(double share) { return decimal_label(100 * share, 1) + " %"; }
+// The blanks in "74.6 %" and "Eq. 49: 74.6 %" do not break lines.
+std::string percent(double share) { return decimal_label(100 * share, 1) + "\u00a0%"; }
 
 void add_numbers(const ProfileDescription& description, const Cuts& cuts, Panel& panel) {
   const auto cut = static_cast<std::size_t>(description.cut);
@@ -37,6 +39,9 @@ void add_numbers(const ProfileDescription& description, const Cuts& cuts, Panel&
       const double value = autocorrelation(cuts, cuts.correlation_length());
       const std::string what = cuts.is_independent() ? "neighbouring heights" : "heights one correlation length apart";
       note(what + ": correlation " + decimal_label(value, 2), "autocorrelation", value);
+    } else if (name == "theta_m") {
+      const double angle = cuts.theta_m(cut);
+      note("θ_m = ±" + decimal_label(angle * 180 / std::numbers::pi, 1) + "°", "theta_m", angle);
     } else if (name == "projected_area") {
       const double area = mean.seen_area / count, mesosurface = mean.mesosurface / count;
       note("visible projected area " + decimal_label(area, 4), "projected_area", area);
@@ -47,14 +52,14 @@ void add_numbers(const ProfileDescription& description, const Cuts& cuts, Panel&
       const double o = cuts.g1(cut, *description.omega_o, distortion).value();
       const double i = cuts.g1(cut, *description.omega_i, distortion).value();
       const double correlated = 1 / (1 / o + 1 / i - 1);
-      note("Smith, separable: " + percent(o * i), "g2_separable", o * i);
-      note("height-correlated: " + percent(correlated), "g2_height_correlated", correlated);
+      note("Smith, separable:\u00a0" + percent(o * i), "g2_separable", o * i);
+      note("height-correlated:\u00a0" + percent(correlated), "g2_height_correlated", correlated);
     } else {
       const double share = mean.shares.seen / mean.shares.facing;
       note("visible: " + percent(share) + " of what faces ω_o", "g1", share);
       const auto model = cuts.g1(cut, *description.omega_o, distortion);
       if (!model) continue;
-      note((cuts.cavities() ? "Eq. 49: " : "Smith: ") + percent(*model), "g1_model", *model);
+      note((cuts.cavities() ? "Eq.\u00a049:\u00a0" : "Smith:\u00a0") + percent(*model), "g1_model", *model);
     }
   }
 }
@@ -67,7 +72,7 @@ const std::vector<std::string>& profile_arrows() {
 }
 
 const std::vector<std::string>& profile_numbers() {
-  static const std::vector<std::string> all = {"g1", "g2", "projected_area", "autocorrelation"};
+  static const std::vector<std::string> all = {"g1", "g2", "projected_area", "autocorrelation", "theta_m"};
   return all;
 }
 
@@ -104,6 +109,8 @@ std::optional<ParameterError> problem_of(const ProfileDescription& description) 
   for (const char* number : {"autocorrelation", "g2"})
     if (!has_heights && has(description.numbers, number))
       return ParameterError{"numbers", "\"" + std::string(number) + "\" is known of gaussian, ggx and uncorrelated"};
+  if (description.surface.type != "v_cavity" && has(description.numbers, "theta_m"))
+    return ParameterError{"numbers", "\"theta_m\" is known of v_cavity"};
   return std::nullopt;
 }
 

@@ -88,8 +88,8 @@ std::optional<ParameterError> UncorrelatedSurface::problem() const {
   return ParameterError{"samples", "found " + format_number(samples) + ", accepted: a whole number in [8, 1e6]"};
 }
 
-std::optional<ParameterError> problem_of(const ModelChoice& surface) {
-  const auto made_surface = made(surface);
+std::optional<ParameterError> problem_of(const ModelChoice& choice) {
+  const auto made_surface = made(choice);
   const auto* error = std::get_if<ParameterError>(&made_surface);
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
@@ -155,15 +155,18 @@ std::vector<std::size_t> Cuts::surface_of(std::size_t k) const {
   return all;
 }
 
+double Cuts::theta_m(std::size_t k) const {
+  return std::atan(std::fabs(fields_.at(k).height(1, 0) - fields_.at(k).height(0, 0)));
+}
+
 std::optional<double> Cuts::g1(std::size_t k, double theta, const Distortion& distortion) const {
   if (cavities_) {
-    const double slope = std::fabs(fields_.at(k).height(1, 0) - fields_.at(k).height(0, 0));
     // The normal that leans towards the viewer: whenever one faces theta, this one does.
-    const double theta_m = std::copysign(std::atan(slope), theta);
+    const double towards = std::copysign(theta_m(k), theta);
     ModelChoice any{.type = "beckmann", .values = {}}; // Eq. 49 asks for no distribution
     any.values.set("alpha", 1.0);
     const Material material = model_of(std::move(any), "v_cavity");
-    return evaluate(material, Quantity::g1, from_angles(theta, 0), std::nullopt, from_angles(theta_m, 0));
+    return evaluate(material, Quantity::g1, from_angles(theta, 0), std::nullopt, from_angles(towards, 0));
   }
   if (slopes_.empty()) return std::nullopt;
   ModelChoice distribution{.type = slopes_, .values = {}};

@@ -42,17 +42,17 @@ using ProfileSurface = std::variant<simulation::GaussianSurface, //
                                     FlatSurface>;
 
 /// What is wrong with the choice of a surface, if anything is.
-std::optional<ParameterError> problem_of(const ModelChoice& surface);
+std::optional<ParameterError> problem_of(const ModelChoice& choice);
 
-/// How many parallel cuts there are of a surface without problem.
-std::size_t cut_count(const ModelChoice& surface);
+/// How many parallel cuts there are of a surface without a problem.
+std::size_t cut_count(const ModelChoice& choice);
 
 /// The parallel cuts through one surface.
 class Cuts {
 public:
   /// Cuts along x, or along y. V-cavities have one cut for each pair of normals, across its ridges.
   /// \throws InputError for what problem_of() tells.
-  Cuts(const ModelChoice& surface, std::uint64_t seed, bool along_y);
+  Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] Profile profile(std::size_t k) const;
@@ -63,6 +63,8 @@ public:
   /// 1 / (1 + Lambda) (Smith; Heitz 2014, Eq. 43), of V-cavities Eq. 49; none for a flat surface.
   [[nodiscard]] std::optional<double> g1(std::size_t k, double theta, const Distortion& distortion) const;
   [[nodiscard]] bool cavities() const { return cavities_; }
+  /// Of V-cavities: the angle of both normals of pair k from the geometric one.
+  [[nodiscard]] double theta_m(std::size_t k) const;
   [[nodiscard]] bool is_independent() const { return only_.independent.has_value(); }
 
   /// The distance at which the autocorrelation of heights is 1/e, in facets; of independent ones that of neighbours, 1.

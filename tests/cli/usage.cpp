@@ -130,7 +130,7 @@ TEST_CASE("list") {
   const std::string all = check_output(folder, "brdfplot list");
   std::string parts;
   for (const char* section :
-       {"distributions", "masking", "shadowing", "fresnel", "quantities", "surfaces", "measures"}) {
+       {"distributions", "masking", "shadowing", "fresnel", "quantities", "surfaces", "measures", "profiles"}) {
     const std::string part = check_output(folder, "brdfplot list " + std::string(section));
     CHECK_FALSE(part.empty());
     parts += (parts.empty() ? "" : "\n") + part;

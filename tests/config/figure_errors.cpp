@@ -97,6 +97,7 @@ TEST_CASE("figures: profiles") {
       {panel(R"("shear": -2)"), kind(viewed), "/panels/0/profile/shear", "takes omega_o below the horizontal"},
       {panel(R"("omega_i": 2)"), kind(viewed), "/panels/0/profile/omega_i", "below the horizon"},
       {panel(R"("arrows": ["omega_i"])"), kind(viewed), "/panels/0/profile/arrows", "needs \"omega_i\""},
+      {panel(R"("numbers": ["theta_m"])"), kind(viewed), "/panels/0/profile/numbers", "known of v_cavity"},
       {panel(R"("numbers": ["g2"])"), kind(viewed), "/panels/0/profile/numbers", "\"g2\" needs \"omega_i\""},
       {panel(R"("arrows": ["omega"])"), kind(viewed), "/panels/0/profile/arrows/0", "accepted: omega_o, omega_i"},
       {panel(R"("numbers": ["autocorrelation"])"), kind(R"("surface": {"type": "v_cavity", "alpha": 1})"),

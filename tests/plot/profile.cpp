@@ -139,6 +139,7 @@ TEST_CASE("profiles: V-cavities are visible as Eq. 49 says") {
     const Profile profile = cuts.profile(k);
     const double tan_m = std::fabs(profile.facets[0].h1 - profile.facets[0].h0);
     CHECK(profile.facets[0].h0 == doctest::Approx(-profile.facets[0].h1));
+    CHECK(std::tan(cuts.theta_m(k)) == doctest::Approx(tan_m));
     for (const double angle : angles) {
       const Visibility v = measure(profile, angle * degree);
       const double cos_o = std::cos(angle * degree), sin_o = std::sin(std::fabs(angle * degree));
