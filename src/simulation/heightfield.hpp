@@ -36,6 +36,7 @@ public:
   int ny() const { return ny_; }
   float lowest() const { return lowest_; }
   float highest() const { return highest_; }
+  const std::vector<float>& heights() const { return heights_; }
 
   float height(int ix, int iy) const {
     return heights_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)];

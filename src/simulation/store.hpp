@@ -17,7 +17,7 @@
 namespace brdfplot::simulation {
 
 /// To be raised whenever a simulation gives other numbers than it gave before: older files are then not found.
-inline constexpr int results_version = 1;
+inline constexpr int results_version = 2;
 
 /// What one simulation measured, by name of the output.
 using Result = std::map<std::string, Estimates>;

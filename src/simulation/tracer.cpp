@@ -161,45 +161,12 @@ private:
   }
 };
 
-Tracer::Tracer(const HeightField& field) : scene_(std::make_unique<Scene>(field)), field_(&field) {}
+Tracer::Tracer(const HeightField& field)
+    : scene_(std::make_unique<Scene>(field)), shadow_rays_(field), field_(&field) {}
 Tracer::~Tracer() = default;
 
 void Tracer::visible(std::span<const SurfacePoint> points, const Direction& direction, unsigned char* visible) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  const Period& period = scene_->period;
-  const Aim aim(direction);
-  for (std::size_t begin = 0; begin < points.size(); begin += lanes) {
-    const std::size_t count = std::min(lanes, points.size() - begin);
-    alignas(32) RTCRay8 rays;
-    alignas(32) std::array<int, lanes> valid{};
-    std::array<Place, lanes> place{};
-    std::array<Piece, lanes> piece{};
-    std::size_t left = count;
-    for (std::size_t k = 0; k < lanes; ++k) {
-      place[k] = lifted(points[begin + std::min(k, count - 1)]);
-      piece[k] = piece_of(place[k], aim, period);
-      valid[k] = k < count ? -1 : 0;
-      set_lane(rays, k, place[k], direction, piece[k], false);
-    }
-    while (left > 0) {
-      rtcOccluded8(valid.data(), scene_->scene, &context, &rays);
-      for (std::size_t k = 0; k < count; ++k) {
-        if (valid[k] == 0) continue;
-        const bool occluded = rays.tfar[k] < 0;
-        if (occluded || piece[k].last()) {
-          visible[begin + k] = occluded ? 0 : 1;
-          valid[k] = 0;
-          --left;
-          continue;
-        }
-        reenter(place[k], direction, period, piece[k].side, piece[k].along_x);
-        piece[k] = piece_of(place[k], aim, period);
-        set_lane(rays, k, place[k], direction, piece[k], true);
-      }
-    }
-  }
+  shadow_rays_.trace(points, direction, lift, visible);
 }
 
 void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& direction, unsigned char* hit) const {

@@ -1,8 +1,9 @@
 /// \file
-/// Rays on a periodic heightfield (Embree).
+/// Rays on a periodic heightfield (Embree; those of one direction towards the sky by ShadowRays).
 #pragma once
 
 #include "simulation/heightfield.hpp"
+#include "simulation/shadow_rays.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -37,7 +38,7 @@ public:
 
   /// visible[k] = 1 where nothing of the surface lies between points[k] and infinity towards `direction` (in the axes
   /// of the mesh, z > 0), else 0. The facets of the points face the direction. Neighbours in the array should be
-  /// neighbours on the surface: they are traced together.
+  /// neighbours on the surface: they are traced together (ShadowRays).
   void visible(std::span<const SurfacePoint> points, const Direction& direction, unsigned char* visible) const;
 
   /// What is seen from infinity against `direction` (z > 0), through the places (x, y) of the plane above the mesh: the
@@ -52,6 +53,7 @@ public:
 private:
   struct Scene;
   std::unique_ptr<Scene> scene_;
+  ShadowRays shadow_rays_;
   const HeightField* field_;
 };
 

@@ -91,15 +91,15 @@ TEST_CASE("simulated results are kept, and what is wrong with them does no harm"
   text.replace(text.find(R"("quantity")"), 0, R"("simulate": {"source": "smith_walk", "paths": 640, "samples": 3}, )");
   folder.write("a.json", text);
   CHECK(check_output(folder, "brdfplot plot a.json -o first --cache kept --threads 1") == "");
-  const auto kept = folder.list("kept/v1");
+  const auto kept = folder.list("kept/v2");
   CHECK(kept.size() == 3);
   CHECK(folder.read("first/one.csv").starts_with("panel,series,theta_o,value,value_stderr\n"));
   // A result that was changed with its checksum would be believed; one that was only cut is not.
-  folder.write("kept/v1/" + kept[0], "brdfplot simulation 1");
+  folder.write("kept/v2/" + kept[0], "brdfplot simulation 2");
   for (const char* cache : {"kept", "kept", "other", "''", "a.json"}) {
     CHECK(check_output(folder, "brdfplot plot a.json -o again --threads 3 --cache " + std::string(cache)) == "");
     CHECK(folder.read("again/one.csv") == folder.read("first/one.csv"));
     CHECK(folder.read("again/one.svg") == folder.read("first/one.svg"));
   }
-  CHECK(folder.list("other/v1") == kept);
+  CHECK(folder.list("other/v2") == kept);
 }
