@@ -86,7 +86,7 @@ void step(const Common& common, Rays& rays) {
     const bool on = clears | in_cell;
 
     // The next cell; never back, which rounding could ask for at a corner.
-    const float last = static_cast<float>(size - 1);
+    const auto last = static_cast<float>(size - 1);
     const int in_x = left + static_cast<int>(std::min(std::max(exit_x - static_cast<float>(left), 0.0F), last));
     const int in_y = bottom + static_cast<int>(std::min(std::max(exit_y - static_cast<float>(bottom), 0.0F), last));
     const int right_x = larger(in_x, cell_x), left_x = smaller(in_x, cell_x);
@@ -124,7 +124,7 @@ ShadowRays::ShadowRays(const HeightField& field) : field_(&field), begin_{0} {
     }
   // As long as the blocks tile the period.
   for (int level = 0; level < most_levels && nx % 2 == 0 && ny % 2 == 0; ++level) {
-    const std::size_t below = static_cast<std::size_t>(begin_.back());
+    const auto below = static_cast<std::size_t>(begin_.back());
     begin_.push_back(static_cast<int>(highest_.size()));
     for (int y = 0; y < ny; y += 2)
       for (int x = 0; x < nx; x += 2) {
