@@ -1,9 +1,9 @@
 #include "analysis/integrals.hpp"
 
-#include "analysis/components.hpp"
 #include "analysis/hemisphere.hpp"
 #include "analysis/slope_domain.hpp"
 #include "analysis/visible_area.hpp"
+#include "brdf/components.hpp"
 #include "math/number.hpp"
 
 #include <algorithm>
@@ -66,9 +66,19 @@ Estimate over_components(const Material& material, const Direction& o, double to
   return sum;
 }
 
-/// `integrand`, or where there are several components, the share of one.
+/// `integrand`, which has D as a factor, or where there are several components, the share w_k D_k / D of one.
 NormalIntegrand part_of(const Material& material, const Component& component, const NormalIntegrand& integrand) {
-  return component.weight == 1 ? integrand : share_of(component, material.distribution, integrand);
+  if (component.weight == 1) return integrand;
+  return [&](const std::vector<Direction>& normals, std::vector<double>& values) {
+    integrand(normals, values);
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+      const double part = component.density(normals[k]);
+      const auto all = [&] {
+        return std::visit([&](const auto& d) { return d.density(normals[k]); }, material.distribution);
+      };
+      values[k] = part > 0 && values[k] != 0 ? values[k] * (part / all()) : 0;
+    }
+  };
 }
 
 /// Whether everything about a material has the mirror image of the plane of incidence.
@@ -113,6 +123,16 @@ Estimate projected_area(const Material& material, const Direction& o, double tol
   return integrate_visible(material, o, tolerance * material.slopes().project(o).c, integrand);
 }
 
+/// The smallest width of a component along any axis, in slopes.
+double narrowest_width(const Material& material) {
+  double width = infinity;
+  for (const Component& component : components(material.distribution)) {
+    const SlopeMap& map = component.slopes();
+    width = std::min(width, std::min(map.alpha_x, map.alpha_y) * map.decorrelation());
+  }
+  return width;
+}
+
 /// Eq. 36 over omega_i, with d omega_i = 4 (o.h) d omega_h: the half vector is found again from omega_i.
 Estimate weak_furnace(const Material& material, const Direction& o, double tolerance) {
   Rows rows(o);
@@ -127,9 +147,8 @@ Estimate weak_furnace(const Material& material, const Direction& o, double toler
   };
   Estimate estimate = integrate_visible(material, o, tolerance, integrand);
   // o + i has a length of 2 o.h ~ 2 c, and the half vector that many roundings, of which D sees the ratio to its width.
-  const SlopeMap& map = material.slopes();
-  const double width = std::min(map.alpha_x, map.alpha_y) * map.decorrelation();
-  estimate.error += 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) / (c * std::min(1.0, width));
+  estimate.error += 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) /
+                    (c * std::min(1.0, narrowest_width(material)));
   return estimate;
 }
 
@@ -347,7 +366,7 @@ Estimate peak_theta_i(const Material& material, const Direction& o) {
   const auto best = std::ranges::max_element(scan, {}, [&](double theta) { return lobe(theta); });
   const double rough =
       golden_section(lobe, best == scan.begin() ? *best : *(best - 1), best + 1 == scan.end() ? *best : *(best + 1));
-  const double h = 2e-3 * std::min(1.0, std::min(material.slopes().alpha_x, material.slopes().alpha_y));
+  const double h = 2e-3 * std::min(1.0, narrowest_width(material));
   const double smooth = stationary_point(lobe, rough, h);
   const bool kink = lobe(smooth) < lobe(rough) * (1 - 1e-14);
   return {kink ? rough : smooth, 1e-8, lobe.evaluations};

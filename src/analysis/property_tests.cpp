@@ -1,6 +1,7 @@
 #include "analysis/property_tests.hpp"
 
 #include "analysis/integrals.hpp"
+#include "brdf/components.hpp"
 #include "brdf/diffuse.hpp"
 
 #include <array>
@@ -64,15 +65,17 @@ void test_energy(const PropertySubject& subject, const PropertySearch& search, W
 /// Normals out to three times the roughness, where G1 depends on them; else one that stands for all that face.
 std::vector<std::optional<Direction>> normals_of(const Material& material) {
   if (material.has_lambda()) return {std::nullopt};
-  const SlopeMap& map = material.slopes();
   std::vector<std::optional<Direction>> normals;
-  for (const double r : {0.0, 0.3, 1.0, 3.0})
-    for (int k = 0; k < (r > 0 ? 12 : 1); ++k) {
-      const double u1 = r * std::cos(30 * degree * k), u2 = r * std::sin(30 * degree * k);
-      const double x = map.mean_x + map.alpha_x * u1;
-      const double y = map.mean_y + map.alpha_y * (map.correlation * u1 + map.decorrelation() * u2);
-      normals.emplace_back(normalized({-x, -y, 1}));
-    }
+  for (const Component& component : components(material.distribution)) {
+    const SlopeMap& map = component.slopes();
+    for (const double r : {0.0, 0.3, 1.0, 3.0})
+      for (int k = 0; k < (r > 0 ? 12 : 1); ++k) {
+        const double u1 = r * std::cos(30 * degree * k), u2 = r * std::sin(30 * degree * k);
+        const double x = map.mean_x + map.alpha_x * u1;
+        const double y = map.mean_y + map.alpha_y * (map.correlation * u1 + map.decorrelation() * u2);
+        normals.emplace_back(normalized({-x, -y, 1}));
+      }
+  }
   return normals;
 }
 

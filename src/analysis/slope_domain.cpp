@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace brdfplot {
@@ -190,9 +192,12 @@ public:
     if (part + 1 >= ends.size()) return {0, 0, 0}; // beside a sector's edge, which is known to rounding only
     const double from = ends[part].z;
     const double to = ends[part + 1].z;
-    const double z = from + (to - from) * x;
+    // Towards the horizon shadowing changes within an angle of the order of the roughness: points crowd there.
+    const bool last = part + 2 == ends.size();
+    const double z = last ? to - (to - from) * (1 - x) * (1 - x) : from + (to - from) * x;
+    const double dz = (to - from) * (last ? 2 * (1 - x) : 1);
     const double r = spread * z / (1 - z);
-    return {r * std::cos(psi), r * std::sin(psi), copies_ * r * (to - from) * spread / ((1 - z) * (1 - z))};
+    return {r * std::cos(psi), r * std::sin(psi), copies_ * r * dz * spread / ((1 - z) * (1 - z))};
   }
 
 private:
@@ -205,16 +210,17 @@ private:
     std::size_t crossed;
   };
 
-  /// What makes a sector: which switches are crossed, and whether before, in or behind the bulk of the distribution.
-  /// The latter because an end that moves through the bulk does so within a few degrees on a smooth surface, and a rule
-  /// whose nodes miss these sees nothing.
+  /// What makes a sector: which switches are crossed, and how far out, in powers of 4. The latter because an end that
+  /// moves through the bulk of the distribution or its tail does so within a few degrees, or a small part of one, on a
+  /// smooth or an anisotropic surface, and a rule whose nodes miss these sees nothing.
   std::vector<std::size_t> crossed(double psi) {
     std::vector<std::size_t> all;
     for (const End& end : ray(psi)) {
       all.push_back(end.crossed);
       const double r = spread * end.z / (1 - end.z);
-      all.push_back(static_cast<std::size_t>(r > 0.25) + static_cast<std::size_t>(r > 1) +
-                    static_cast<std::size_t>(r > 4));
+      std::size_t distance = end.z == 1 ? 1 : 0; // endless rays begin with a kink
+      for (double limit = 0.25; limit < 5000; limit *= 4) distance += static_cast<std::size_t>(r > limit);
+      all.push_back(distance);
     }
     return all;
   }
@@ -222,7 +228,8 @@ private:
   /// Cuts [from, to] into sectors, found by bisection between probes that differ.
   void add_sectors(double from, double to, std::vector<Rectangle>& all) {
     std::vector<double> probes = {from + 1e-10 * (to - from)}; // crossings may appear right at an edge
-    for (int k = 0; k < 16; ++k) probes.push_back(from + (to - from) * (k + 0.5) / 16);
+    constexpr int count = 48;
+    for (int k = 0; k < count; ++k) probes.push_back(from + (to - from) * (k + 0.5) / count);
     probes.push_back(to - 1e-10 * (to - from));
     double begin = from;
     double low = probes.front();
@@ -277,7 +284,16 @@ private:
     for (int k = 1; k < probes; ++k) z.push_back(end * (1 - std::cos(std::numbers::pi * k / probes)) / 2);
     z.push_back(end * (1 - 1e-5)); // and by the horizon
     evaluate_switch(of, psi, z);
-    const std::vector<double> values = values_;
+    std::vector<double> values = values_;
+    for (std::size_t k = z.size() - 2; k > 0; --k) {
+      const std::array<double, 3> at = {z[k - 1], z[k], z[k + 1]};
+      const std::array<double, 3> value = {values[k - 1], values[k], values[k + 1]};
+      if (const auto beyond = dip(of, psi, at, value)) {
+        const auto behind = static_cast<std::ptrdiff_t>(beyond->first > z[k] ? k + 1 : k);
+        z.insert(z.begin() + behind, beyond->first);
+        values.insert(values.begin() + behind, beyond->second);
+      }
+    }
     std::size_t last = 0; // the last one that is not zero
     for (std::size_t k = 1; k < z.size(); ++k) {
       if (values[k] == 0) continue;
@@ -285,6 +301,32 @@ private:
         ends_.push_back({sign_change(of, psi, {z[last], z[k]}, {values[last], values[k]}), which});
       last = k;
     }
+  }
+
+  /// Two sign changes may hide between probes. Where the middle one of three values is nearest to zero, a point
+  /// between them of the other sign, and its value, if parabolas lead to one.
+  std::optional<std::pair<double, double>> dip(const NormalIntegrand& of, double psi, std::array<double, 3> z,
+                                               std::array<double, 3> value) {
+    const double side = value[1] > 0 ? 1 : -1;
+    for (double& v : value) v *= side;
+    if (!(value[1] > 0 && value[0] > value[1] && value[2] > value[1])) return {};
+    for (int step = 0; step < 10; ++step) {
+      const double left = (z[1] - z[0]) * (value[2] - value[1]), right = (z[2] - z[1]) * (value[0] - value[1]);
+      const double vertex = z[1] + 0.5 * ((z[2] - z[1]) * right - (z[1] - z[0]) * left) / (left + right);
+      if (!(vertex > z[0] && vertex < z[2]) || std::fabs(vertex - z[1]) < 1e-9 * z[1]) return {};
+      evaluate_switch(of, psi, {vertex});
+      const double here = side * values_[0];
+      if (here < 0) return std::pair(vertex, side * here);
+      const bool lower = here < value[1];
+      const std::size_t replaced = (vertex < z[1]) == lower ? 2 : 0;
+      z[replaced] = lower ? z[1] : vertex;
+      value[replaced] = lower ? value[1] : here;
+      if (lower) {
+        z[1] = vertex;
+        value[1] = here;
+      }
+    }
+    return {};
   }
 
   /// Regula falsi, Illinois variant.

@@ -58,6 +58,7 @@ public:
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       const Vec2& e = lines_[k];
       cut_across(e[0], e[1]);
+      for (const double r : {0.25, 1.0, 4.0}) cut_at_distance(e, r, cuts);
       for (std::size_t other = 0; other < k; ++other) {
         const Vec2& d = lines_[other];
         cut_across(e[0] - d[0], e[1] - d[1]);
@@ -74,6 +75,18 @@ public:
   }
 
 private:
+  /// A horizon close to the centre, as at grazing, sweeps over the mass within a small angle, which no rule sees unless
+  /// it is cut where the line (with kinks: and its mirror image) is at a distance r.
+  void cut_at_distance(const Vec2& e, double r, std::vector<double>& cuts) const {
+    const double norm = std::hypot(e[0], e[1]);
+    if (norm < 8) return;
+    const double psi = std::atan2(e[1], e[0]), turn = std::acos(1 / (norm * r));
+    for (const double side : {-turn, turn}) {
+      cuts.push_back(std::remainder(psi + side, 2 * pi));
+      if (kinked_) cuts.push_back(std::remainder(psi + pi + side, 2 * pi));
+    }
+  }
+
   const SlopeMap& map_;
   bool kinked_;
   std::vector<Vec2> lines_; ///< e

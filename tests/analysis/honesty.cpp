@@ -1,11 +1,14 @@
 // The error estimates of the integrals, over random materials of every kind. BRDFPLOT_RANDOM_CASES sets their number.
 #include "../materials.hpp"
 #include "analysis/integrals.hpp"
+#include "brdf/diffuse.hpp"
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cstdlib>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -125,5 +128,68 @@ TEST_CASE("albedos: the error estimate bounds the true error in random cases") {
       const Estimate estimate = compute(Integral::furnace, material, one.o, tolerance);
       CHECK(std::fabs(estimate.value - truth.value) <= estimate.error + truth.error);
     }
+  }
+}
+
+TEST_CASE("the furnace: the error estimate bounds the true error in random cases of every G2") {
+  constexpr std::array<std::pair<const char*, const char*>, 8> shadowings = {
+      {{"none", ""},
+       {"separable", ""},
+       {"minimum", ""},
+       {"height_correlated", ""},
+       {"direction_correlated", "ashikhmin"},
+       {"direction_correlated", "ginneken"},
+       {"height_direction_correlated", "ashikhmin"},
+       {"height_direction_correlated", "ginneken"}}};
+  std::mt19937_64 engine(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const int count = case_count(80);
+  for (int k = 0; k < count; ++k) {
+    const bool cavity = k % 4 == 3;
+    // Anisotropic by up to 200 to 1.
+    const auto roughness = [&] { return 0.005 * std::pow(200, unit(engine)); };
+    const Vec2 mean = k % 3 == 0 ? Vec2{0.3 * unit(engine), -0.3 * unit(engine)} : Vec2{0, 0};
+    const auto* type = unit(engine) < 0.5 ? "beckmann" : "ggx";
+    const auto [shadowing, factor] = shadowings[static_cast<std::size_t>(k) % (cavity ? 3 : shadowings.size())];
+    const double ax = roughness(), ay = roughness(), r = k % 2 == 1 ? 1.8 * unit(engine) - 0.9 : 0;
+    const Material m =
+        build(shadowed(general(type, ax, ay, r, mean, cavity ? "v_cavity" : "smith"), shadowing, factor));
+    const Direction o = from_angles(k % 5 == 0 ? 0 : unit(engine) * 89.9 * degree, 6.3 * unit(engine));
+    if (!(m.slopes().project(o).c > 0)) continue;
+    INFO("case " << k << ": " << m.name << ", alpha_x = " << ax << ", alpha_y = " << ay << ", r = " << r
+                 << ", z = " << o.z);
+    const Estimate fine = compute(Integral::furnace, m, o, 1e-10);
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      const Estimate e = compute(Integral::furnace, m, o, tolerance);
+      CHECK(std::fabs(e.value - fine.value) <= e.error + fine.error);
+    }
+    CHECK(fine.value <= 1 + 1e-9);
+  }
+}
+
+TEST_CASE("a shape that begins with all derivatives 0 does not deceive the estimates, at grazing angles too") {
+  MaterialDescription description = general("custom", 0.2, 0.6, -0.5, {0.2, -0.1});
+  description.distribution.values.set("shape", std::string("exp(-1/t2) / (0.1 + t2^2)"));
+  for (const auto* masking : {"smith", "v_cavity"}) {
+    description.masking.type = masking;
+    const Material m = build(description);
+    for (const double theta : {0.5, 1.45, 1.5})
+      for (const double phi : {45.0, 100.0, 225.0}) {
+        const Direction o = from_angles(theta, phi * degree); // at 1.5 and 45 degrees c is 2e-4
+        const double c = m.slopes().project(o).c;
+        if (!(c > 0)) continue;
+        INFO(masking << ", theta_o = " << theta << ", phi_o = " << phi);
+        for (const double tolerance : {1e-5, 1e-9}) {
+          for (const auto integral : {Integral::projected_area, Integral::visible_norm, Integral::weak_furnace}) {
+            const Estimate e = compute_in_plane(integral, m, o, tolerance);
+            CHECK(std::fabs(e.value - (integral == Integral::projected_area ? c : 1)) <= e.error);
+          }
+          const Estimate e = diffuse_weak_furnace(m, o, tolerance);
+          CHECK(std::fabs(e.value - 1) <= e.error);
+        }
+        const Estimate fine = compute(Integral::furnace, m, o, 1e-10);
+        const Estimate e = compute(Integral::furnace, m, o, 1e-7);
+        CHECK(std::fabs(e.value - fine.value) <= e.error + fine.error);
+      }
   }
 }

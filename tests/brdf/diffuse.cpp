@@ -156,3 +156,50 @@ TEST_CASE("every distribution covers the ground once") {
     CHECK(e.error <= 1e-10);
   }
 }
+
+TEST_CASE("mixtures of very different widths: Eqs. 13, 18, 36, 37, D, and diffuse facets are those of their parts") {
+  const std::vector<WeightedChoices> mixtures = {
+      {{0.5, describe("ggx", 0.01).distribution}, {0.5, describe("beckmann", 1).distribution}},
+      {{0.5, describe("beckmann", 1e-5).distribution}, {0.5, general("beckmann", 0.5, 1, 0).distribution}},
+      {{0.3, general("beckmann", 0.001, 1, 0).distribution}, {0.7, general("beckmann", 1, 0.001, 0).distribution}},
+      {{0.5, general("ggx", 0.005, 1, 0.3, {0.1, 0.2}).distribution},
+       {0.4, general("ggx", 1, 0.01, 0, {0.1, 0.2}).distribution},
+       {0.1, general("ggx", 1e-4, 2e-4, 0, {0.1, 0.2}).distribution}}};
+  for (const WeightedChoices& components : mixtures)
+    for (const auto* masking : {"smith", "v_cavity"}) {
+      MaterialDescription description = diffuse(mixture(components));
+      description.masking.type = masking;
+      const Material m = build(description);
+      const Estimate ground = ground_area(m, 1e-8);
+      CHECK(std::fabs(ground.value - 1) <= ground.error);
+      CHECK(ground.error <= 1e-8);
+      for (const double theta : {0.0, 0.7, 1.5}) {
+        const Direction o = from_angles(theta, 0.4), i = from_angles(0.9, 1.5);
+        const double c = m.slopes().project(o).c;
+        if (!(c > 0)) continue;
+        INFO(description.name << " with " << description.masking.type << ", theta_o = " << theta);
+        for (const auto integral : {Integral::projected_area, Integral::visible_norm, Integral::weak_furnace}) {
+          const double exact = integral == Integral::projected_area ? c : 1;
+          for (const Estimate& e : {compute(integral, m, o, 1e-8), compute_in_plane(integral, m, o, 1e-8)}) {
+            CHECK(std::fabs(e.value - exact) <= e.error + 1e-13);
+            CHECK(e.error <= 1e-8);
+          }
+        }
+        const Estimate furnace = diffuse_weak_furnace(m, o, 1e-8);
+        CHECK(std::fabs(furnace.value - 1) <= furnace.error);
+        CHECK(furnace.error <= 1e-8);
+        // Eq. 31 is linear in D where G2 is given.
+        double sum = 0;
+        for (const WeightedChoice& part : components) {
+          MaterialDescription alone = diffuse(description);
+          alone.distribution = part.model;
+          const Material one = build(alone);
+          const double masked = m.has_lambda() ? value(m, Quantity::g2, o, i) / value(one, Quantity::g2, o, i) : 1;
+          sum += part.weight * masked * diffuse_brdf(one, o, i, {.relative = 1e-12}).value;
+        }
+        const Estimate brdf = diffuse_brdf(m, o, i);
+        CHECK(std::fabs(brdf.value - sum) <= brdf.error + 1e-12 * sum);
+        CHECK(brdf.error <= 1e-9 * brdf.value);
+      }
+    }
+}

@@ -1,0 +1,27 @@
+/// \file
+/// The parts of a distribution, each with a frame of slopes of its own.
+#pragma once
+
+#include "microfacet/distributions.hpp"
+
+#include <vector>
+
+namespace brdfplot {
+
+/// A distribution D_k in a sum of w_k D_k.
+struct Component {
+  double weight = 1;
+  Distribution distribution;
+
+  const SlopeMap& slopes() const;
+  /// w_k D_k (1/sr).
+  double density(const Direction& omega_m) const;
+  void densities(const std::vector<Direction>& omega_m, std::vector<double>& out) const;
+};
+
+/// What a distribution is a sum of: the parts of a mixture, else itself. An integral over the normals is to be taken
+/// over each of them in its own frame: each is narrow in one place only, which that frame knows, and no rule sees the
+/// peak of a smooth part from the frame of a rough one.
+std::vector<Component> components(const Distribution& distribution);
+
+} // namespace brdfplot
