@@ -116,7 +116,9 @@ Estimate integrate_charts(const SlopeFrame& frame, const NormalIntegrand& f, con
       // The cube of z_m underflows from slopes of 1e100 on.
       out[k] = normals[k].z > 1e-95 && values[k] != 0 ? values[k] * frame.jacobian(normals[k]) * areas[k] : 0;
   };
-  return integrate_plane(integrand, rectangles, {.absolute = tolerance, .relative = 1e-14});
+  // Kinks may cut the plane into hundreds of rectangles; each must be left some to be divided with.
+  const std::size_t most = std::max<std::size_t>(400000, 2000 * rectangles.size());
+  return integrate_plane(integrand, rectangles, {.absolute = tolerance, .relative = 1e-14}, most);
 }
 
 /// The charts of integrate_facing().
@@ -210,7 +212,7 @@ private:
     std::size_t crossed;
   };
 
-  /// What makes a sector: which switches are crossed, and how far out, in powers of 4. The latter because an end that
+  /// What makes a sector: which switches are crossed, and how far out, by steps. The latter because an end that
   /// moves through the bulk of the distribution or its tail does so within a few degrees, or a small part of one, on a
   /// smooth or an anisotropic surface, and a rule whose nodes miss these sees nothing.
   std::vector<std::size_t> crossed(double psi) {
@@ -219,7 +221,7 @@ private:
       all.push_back(end.crossed);
       const double r = spread * end.z / (1 - end.z);
       std::size_t distance = end.z == 1 ? 1 : 0; // endless rays begin with a kink
-      for (double limit = 0.25; limit < 5000; limit *= 4) distance += static_cast<std::size_t>(r > limit);
+      for (const double limit : {0.25, 1.0, 4.0, 64.0, 1024.0}) distance += static_cast<std::size_t>(r > limit);
       all.push_back(distance);
     }
     return all;
