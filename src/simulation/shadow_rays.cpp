@@ -96,7 +96,10 @@ void step(const Common& common, Rays& rays) {
     const int to_cell_x = by_x ? beyond_x : along_x, to_cell_y = by_x ? along_y : beyond_y;
     const int to_field_x = wrapped(ix + (to_cell_x - cell_x), c.nx);
     const int to_field_y = wrapped(iy + (to_cell_y - cell_y), c.ny);
-    const int coarser = smaller(level + 1, c.top);
+    // Within one parent its test would fail again, or nearly always.
+    const int parent = level + 1;
+    const bool enters = ((to_field_x ^ ix) | (to_field_y ^ iy)) >> parent != 0;
+    const int coarser = enters ? smaller(parent, c.top) : level;
     r->field_x[k] = on ? to_field_x : ix;
     r->field_y[k] = on ? to_field_y : iy;
     r->cell_x[k] = on ? to_cell_x : cell_x;

@@ -12,9 +12,9 @@ namespace brdfplot::simulation {
 /// Follows rays from cell to cell, many at once in the lanes of the processor. A pyramid of the highest points of 2^k
 /// by 2^k cells says over which of them a ray passes without a look at their facets; within a cell, surface and ray are
 /// linear from the entry to the diagonal and to the exit, so that comparing heights there is exact. The rays wrap
-/// around at the sides of the period. On instruction sets with gathers (AVX2, AVX-512) it takes about half the time of
-/// Embree's packets, which must not know that the surface is a heightfield; without, twice that time. The same result
-/// on all.
+/// around at the sides of the period. On instruction sets with gathers (AVX2, AVX-512) it takes less than half the
+/// time of Embree's packets, which must not know that the surface is a heightfield; without, twice that time. The same
+/// result on all.
 class ShadowRays {
 public:
   /// The field must outlive this.
