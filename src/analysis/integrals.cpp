@@ -1,6 +1,7 @@
 #include "analysis/integrals.hpp"
 
 #include "analysis/hemisphere.hpp"
+#include "analysis/lobe_peak.hpp"
 #include "analysis/slope_domain.hpp"
 #include "analysis/visible_area.hpp"
 #include "brdf/components.hpp"
@@ -286,12 +287,6 @@ double weak_furnace_on_grid(const Material& material, const Direction& o) {
   return sum * step * step / (4 * c);
 }
 
-/// The horizontal unit vector along omega_o's azimuth (x where it has none).
-Direction azimuth(const Direction& o) {
-  const double h = std::hypot(o.x, o.y);
-  return h > 0 ? Direction{o.x / h, o.y / h, 0} : Direction{1, 0, 0};
-}
-
 /// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i.
 Estimate mean_theta_i(const Material& material, const Direction& o, double tolerance) {
   const Direction along = azimuth(o);
@@ -300,76 +295,6 @@ Estimate mean_theta_i(const Material& material, const Direction& o, double toler
   const double length = std::hypot(x.value, z.value);
   return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
           x.evaluations + z.evaluations};
-}
-
-/// rho cos theta_i over theta_i in the plane of incidence.
-class Lobe {
-public:
-  Lobe(const Material& material, const Direction& o) : material_(material), o_(o), along_(azimuth(o)) {}
-
-  double operator()(double theta) {
-    ++evaluations;
-    const Direction i{std::sin(theta) * along_.x, std::sin(theta) * along_.y, std::cos(theta)};
-    return evaluate(material_, Quantity::brdf_cos, o_, i, std::nullopt);
-  }
-
-  /// Derivative by five points h apart; its error is of order h^4.
-  double slope(double theta, double h) {
-    return (8 * ((*this)(theta + h) - (*this)(theta - h)) - ((*this)(theta + 2 * h) - (*this)(theta - 2 * h))) /
-           (12 * h);
-  }
-
-  std::size_t evaluations = 0;
-
-private:
-  const Material& material_;
-  Direction o_, along_;
-};
-
-/// Narrows [low, high] around the largest value by golden section.
-double golden_section(Lobe& lobe, double low, double high) {
-  constexpr double golden = 0.6180339887498949;
-  while (high - low > 1e-9) {
-    const double p = high - golden * (high - low);
-    const double q = low + golden * (high - low);
-    (lobe(p) < lobe(q) ? low : high) = lobe(p) < lobe(q) ? p : q;
-  }
-  return 0.5 * (low + high);
-}
-
-/// Where the derivative changes sign near `theta`, or `theta` when it does not.
-double stationary_point(Lobe& lobe, double theta, double h) {
-  double low = theta - h, high = theta + h;
-  if (!(lobe.slope(low, h) > 0 && lobe.slope(high, h) < 0)) return theta;
-  while (high - low > 1e-13) {
-    const double middle = 0.5 * (low + high);
-    (lobe.slope(middle, h) > 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-/// The largest value of rho cos theta_i in the plane of incidence: the best of a scan that is dense around the mirror
-/// direction, then golden section. On a smooth top that finds no more than half of the digits, since the values are
-/// flat there, and the zero of the derivative is taken; where that is lower the top is a kink, and golden section was
-/// exact.
-Estimate peak_theta_i(const Material& material, const Direction& o) {
-  Lobe lobe(material, o);
-  const double mirror = -std::atan2(std::hypot(o.x, o.y), o.z);
-  std::vector<double> scan;
-  constexpr double quarter = 0.5 * std::numbers::pi;
-  for (int k = -200; k <= 200; ++k) {
-    scan.push_back(quarter * k / 200);
-    const double near = mirror + std::copysign(std::pow(std::abs(k) / 200.0, 4), k);
-    if (std::fabs(near) < quarter) scan.push_back(near);
-  }
-  std::ranges::sort(scan);
-  const auto best = std::ranges::max_element(scan, {}, [&](double theta) { return lobe(theta); });
-  const double rough =
-      golden_section(lobe, best == scan.begin() ? *best : *(best - 1), best + 1 == scan.end() ? *best : *(best + 1));
-  const double h = 2e-3 * std::min(1.0, narrowest_width(material));
-  const double smooth = stationary_point(lobe, rough, h);
-  const bool kink = lobe(smooth) < lobe(rough) * (1 - 1e-14);
-  return {kink ? rough : smooth, 1e-8, lobe.evaluations};
 }
 
 } // namespace
@@ -408,7 +333,7 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
   case Integral::albedo: return reflected_light(material, omega_o, tolerance, channel, one);
   case Integral::weak_furnace_grid: return {weak_furnace_on_grid(material, omega_o), 0, std::size_t{63} * 126};
   case Integral::mean_theta_i: return mean_theta_i(material, omega_o, tolerance);
-  case Integral::peak_theta_i: return peak_theta_i(material, omega_o);
+  case Integral::peak_theta_i: return peak_theta_i(material, omega_o, narrowest_width(material));
   }
   return {};
 }
