@@ -169,16 +169,16 @@ Estimate visible_of_lambda(Integral integral, const Material& material, const Di
   return {scale * area.value, scale * area.error, area.evaluations};
 }
 
-/// A kink switch as a function of the half vector and the light.
+/// A switch as a function of the half vector and the light.
 template <class Function>
-NormalIntegrand switch_of(const Direction& o, const Function& function) {
-  return [o, function](const std::vector<Direction>& h, std::vector<double>& out) {
+Switch switch_of(const Direction& o, const Function& function) {
+  return {[o, function](const std::vector<Direction>& h, std::vector<double>& out) {
     for (std::size_t k = 0; k < h.size(); ++k) out[k] = function(h[k], reflected(o, h[k]));
-  };
+  }};
 }
 
 /// The sign of a_i - a_o.
-NormalIntegrand elevation(const SlopeMap& map, const Direction& o) {
+Switch elevation(const SlopeMap& map, const Direction& o) {
   const Projection viewer = map.project(o);
   return switch_of(o, [&map, viewer](const Direction&, const Direction& i) {
     const Projection light = map.project(i);
@@ -186,9 +186,26 @@ NormalIntegrand elevation(const SlopeMap& map, const Direction& o) {
   });
 }
 
+/// The sign of G1(i) - G1(o), of what masks in whatever way.
+Switch masking_difference(const Material& material, const Direction& o) {
+  return {[&material, o](const std::vector<Direction>& h, std::vector<double>& out) {
+    Rows viewer(o), light(o);
+    std::vector<double> of_viewer(h.size());
+    evaluate(material, Quantity::g1, viewer.fill(h.size(), false, true, [&](std::size_t k) { return h[k]; }),
+             of_viewer.data());
+    Batch batch = light.fill(h.size(), true, false, [&](std::size_t k) { return reflected(o, h[k]); });
+    batch.o = batch.i;
+    batch.i = {};
+    Rows normals(o);
+    batch.m = normals.fill(h.size(), false, true, [&](std::size_t k) { return h[k]; }).m;
+    evaluate(material, Quantity::g1, batch, out.data());
+    for (std::size_t k = 0; k < h.size(); ++k) out[k] -= of_viewer[k];
+  }};
+}
+
 /// What changes its sign where G1(o) = G1(i): c_i - c_o where G1 is a function of c and what both directions share, as
 /// it is on isotropic surfaces; a_i - a_o where it is one of a.
-NormalIntegrand comparison(const Material& material, const Direction& o) {
+Switch comparison(const Material& material, const Direction& o) {
   const SlopeMap& map = material.slopes();
   const Projection viewer = map.project(o);
   const bool own = std::holds_alternative<CustomMasking>(material.masking);
@@ -197,10 +214,7 @@ NormalIntegrand comparison(const Material& material, const Direction& o) {
     return switch_of(o, [&map, viewer](const Direction&, const Direction& i) { return map.project(i).c - viewer.c; });
   const bool several = components(material.distribution).size() > 1;
   if (own || several || std::holds_alternative<SchlickSmithRational>(material.masking)) // of more than one a
-    return switch_of(o, [&material, o](const Direction& h, const Direction& i) {
-      return evaluate(material, Quantity::g1, i, std::nullopt, h) -
-             evaluate(material, Quantity::g1, o, std::nullopt, h);
-    });
+    return masking_difference(material, o);
   return elevation(map, o);
 }
 
@@ -216,22 +230,50 @@ bool compares_elevations(const Shadowing& shadowing) {
       shadowing);
 }
 
-/// Where the shadowing and masking functions of a material have kinks.
-std::vector<NormalIntegrand> switches(const Material& material, const Direction& o) {
+/// The kinks that a masking function declares: in the light, of each component of the distribution; and where the
+/// normal is part of it, in the viewer.
+void add_kinks_of_masking(const Material& material, const Direction& o, std::vector<Switch>& all) {
+  std::visit(
+      [&]<class M>(const M&) {
+        if constexpr (requires(const Projection& p) { M::kink(p); }) {
+          for (const Component& component : components(material.distribution))
+            all.push_back(switch_of(o, [map = component.slopes()](const Direction&, const Direction& i) {
+              return M::kink(map.project(i));
+            }));
+        } else if constexpr (requires(const Projection& p) { M::kink(p, 1.0, 1.0); }) {
+          const SlopeMap& map = material.slopes();
+          all.push_back(switch_of(o, [o, viewer = map.project(o)](const Direction& h, const Direction&) {
+            return M::kink(viewer, dot(o, h), h.z);
+          }));
+          all.push_back(switch_of(o, [o, &map](const Direction& h, const Direction& i) {
+            return M::kink(map.project(i), dot(o, h), h.z);
+          }));
+        }
+      },
+      material.masking);
+}
+
+/// The angle at which a Fresnel term declares that it is not smooth.
+void add_critical_angle(const Material& material, const Direction& o, int channel, std::vector<Switch>& all) {
+  std::visit(
+      [&](const auto& fresnel) {
+        if constexpr (requires { fresnel.critical_cosine(0); })
+          if (const auto critical = fresnel.critical_cosine(static_cast<std::size_t>(channel))) {
+            all.push_back(
+                switch_of(o, [o, critical](const Direction& h, const Direction&) { return dot(o, h) - *critical; }));
+            all.back().root = true;
+          }
+      },
+      material.fresnel);
+}
+
+/// Where the masking, shadowing and Fresnel terms of a material are not smooth.
+std::vector<Switch> switches(const Material& material, const Direction& o, int channel) {
   const SlopeMap& map = material.slopes();
-  const double c = map.project(o).c;
-  std::vector<NormalIntegrand> all;
+  std::vector<Switch> all;
   if (std::visit([](const auto& s) { return s.compares; }, material.shadowing)) all.push_back(comparison(material, o));
-  if (std::holds_alternative<VCavity>(material.masking)) { // its other normal begins to be seen, or lit: 2 z_m c = o.m
-    all.push_back(switch_of(o, [o, c](const Direction& h, const Direction&) { return 2 * h.z * c - dot(o, h); }));
-    all.push_back(switch_of(
-        o, [o, &map](const Direction& h, const Direction& i) { return 2 * h.z * map.project(i).c - dot(o, h); }));
-  }
-  if (std::holds_alternative<SmithRational>(material.masking)) // where the fit becomes 0
-    all.push_back(switch_of(o, [&map](const Direction&, const Direction& i) {
-      const Projection light = map.project(i);
-      return light.c - SmithRational::end * light.s;
-    }));
+  add_kinks_of_masking(material, o, all);
+  add_critical_angle(material, o, channel, all);
   if (compares_elevations(material.shadowing)) all.push_back(elevation(map, o));
   const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
   // The azimuth of the light turns around where it is at the normal: a corner for rectangles, on one of their edges.
@@ -257,7 +299,7 @@ Estimate reflected_light(const Material& material, const Direction& o, double to
       out[k] = all[static_cast<std::size_t>(channel) * n + k] * 4 * dot(o, h[k]) * weight(reflected(o, h[k]));
   };
   const bool azimuth = std::visit([](const auto& s) { return s.needs_azimuth; }, material.shadowing);
-  const auto kinks = switches(material, o);
+  const auto kinks = switches(material, o, channel);
   const bool symmetric = mirrored(material, o);
   return over_components(material, o, tolerance, [&](const auto& component, const SlopeFrame& frame, double asked) {
     return integrate_lit(frame, {part_of(material, component, integrand), kinks, azimuth, symmetric}, asked);

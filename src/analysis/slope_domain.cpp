@@ -166,9 +166,8 @@ private:
   double copies_;
 };
 
-/// The charts of integrate_lit(): chart k is the k-th part of the rays of a sector. A sector is a range of angles in
-/// which all rays cross the same switches in the same order and in like places; within one, the ends of the parts are
-/// smooth in psi.
+/// The charts of integrate_lit(): one part of the rays of a sector. A sector is a range of angles in which all rays
+/// cross the same switches in the same order and in like places; within one, the ends of the parts are smooth in psi.
 class LitCharts {
 public:
   LitCharts(const SlopeFrame& frame, const LitIntegrand& f) : frame_(frame), f_(f), copies_(f.symmetric ? 2 : 1) {}
@@ -189,15 +188,19 @@ public:
     return all;
   }
 
-  ChartPoint operator()(std::size_t part, double x, double psi) {
+  ChartPoint operator()(std::size_t chart, double x, double psi) {
+    const std::size_t part = chart % most_parts, parts = chart / most_parts;
     const auto& ends = ray(psi);
-    if (part + 1 >= ends.size()) return {0, 0, 0}; // beside a sector's edge, which is known to rounding only
-    const double from = ends[part].z;
-    const double to = ends[part + 1].z;
+    // Beside a sector's edge, which is known to rounding only, and where a narrow sector was overlooked, rays have
+    // other parts. Together they reach from the centre to the end of the ray all the same.
+    if (part + 1 >= ends.size()) return {0, 0, 0};
+    const End& begin = ends[part];
+    const End& end = part + 1 == parts ? ends.back() : ends[part + 1];
     // Towards the horizon shadowing changes within an angle of the order of the roughness: points crowd there.
-    const bool last = part + 2 == ends.size();
-    const double z = last ? to - (to - from) * (1 - x) * (1 - x) : from + (to - from) * x;
-    const double dz = (to - from) * (last ? 2 * (1 - x) : 1);
+    const Place place = placed(x, is_root(begin), part + 1 == parts || is_root(end));
+    const double length = end.z - begin.z;
+    const double z = begin.z + length * place.at;
+    const double dz = length * place.slope;
     const double r = spread * z / (1 - z);
     return {r * std::cos(psi), r * std::sin(psi), copies_ * r * dz * spread / ((1 - z) * (1 - z))};
   }
@@ -205,6 +208,8 @@ public:
 private:
   /// r = spread z / (1 - z).
   static constexpr double spread = 2;
+  static constexpr double shortest = 0x1p-14;     ///< r below which all rays are alike: they see 1e-9 of the mass
+  static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered parts * most_parts + part
 
   /// Where two parts of a ray meet, or its end: in z, and which switch changes its sign there.
   struct End {
@@ -212,16 +217,31 @@ private:
     std::size_t crossed;
   };
 
+  bool is_root(const End& end) const { return end.crossed < f_.switches.size() && f_.switches[end.crossed].root; }
+
+  /// A map of [0, 1] to itself and its derivative, which is 0 at the ends where points are to crowd: what is like a
+  /// root there becomes smooth.
+  struct Place {
+    double at, slope;
+  };
+  static Place placed(double x, bool crowd_at_0, bool crowd_at_1) {
+    if (crowd_at_0 && crowd_at_1) return {x * x * (3 - 2 * x), 6 * x * (1 - x)};
+    if (crowd_at_0) return {x * x, 2 * x};
+    if (crowd_at_1) return {1 - (1 - x) * (1 - x), 2 * (1 - x)};
+    return {x, 1};
+  }
+
   /// What makes a sector: which switches are crossed, and how far out, by steps. The latter because an end that
   /// moves through the bulk of the distribution or its tail does so within a few degrees, or a small part of one, on a
-  /// smooth or an anisotropic surface, and a rule whose nodes miss these sees nothing.
+  /// smooth or an anisotropic surface or at grazing angles, and a rule whose nodes miss these sees nothing.
   std::vector<std::size_t> crossed(double psi) {
     std::vector<std::size_t> all;
     for (const End& end : ray(psi)) {
       all.push_back(end.crossed);
       const double r = spread * end.z / (1 - end.z);
       std::size_t distance = end.z == 1 ? 1 : 0; // endless rays begin with a kink
-      for (const double limit : {0.25, 1.0, 4.0, 64.0, 1024.0}) distance += static_cast<std::size_t>(r > limit);
+      for (double limit = shortest; limit <= 1024; limit *= limit < 4 ? 4 : 16)
+        distance += static_cast<std::size_t>(r > limit);
       all.push_back(distance);
     }
     return all;
@@ -237,7 +257,8 @@ private:
     double low = probes.front();
     auto below = crossed(low);
     const auto add = [&](double end) {
-      for (std::size_t part = 0; part + 1 < below.size() / 2; ++part) all.push_back({0, 1, begin, end, part});
+      const std::size_t parts = below.size() / 2 - 1;
+      for (std::size_t part = 0; part < parts; ++part) all.push_back({0, 1, begin, end, parts * most_parts + part});
       begin = end;
     };
     for (const double probe : probes) {
@@ -280,7 +301,7 @@ private:
   }
 
   void add_sign_changes(std::size_t which, double psi, double end) {
-    const NormalIntegrand& of = f_.switches[which];
+    const NormalIntegrand& of = f_.switches[which].value;
     constexpr int probes = 24;
     std::vector<double> z = {1e-9 * end, 1e-6 * end, 1e-4 * end}; // crossings may leave by the centre
     for (int k = 1; k < probes; ++k) z.push_back(end * (1 - std::cos(std::numbers::pi * k / probes)) / 2);

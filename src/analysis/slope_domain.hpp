@@ -68,10 +68,16 @@ struct FacingIntegrand {
 /// a cuts the ring, to pi (in two parts where there is a kink).
 Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance);
 
+/// What changes its sign where an integrand is not smooth.
+struct Switch {
+  NormalIntegrand value;
+  bool root = false; ///< the integrand leaves its value there like a square root, on either side
+};
+
 /// What is known of an integrand over the normals that reflect the viewer above the horizon of the mesosurface.
 struct LitIntegrand {
   NormalIntegrand value;
-  std::vector<NormalIntegrand> switches{}; ///< the integrand may have a kink where one of these changes its sign,
+  std::vector<Switch> switches{}; ///< the integrand may have a kink where one of these changes its sign,
   bool kink_in_plane_of_incidence = false; ///< and where azimuths are equal or opposite
   bool symmetric = false;                  ///< u_2 -> -u_2 changes nothing
 };

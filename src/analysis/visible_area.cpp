@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t near_count = 31; ///< nodes of the first integral
 constexpr std::size_t far_count = 61;  ///< and of the second
+constexpr double narrowest = 0.01;     ///< t that its rule resolves near 0, in units of the roughness
 
 /// The first integrand without its density: r^2 = 6 (1 - x) / x, under which distributions of unit roughness, Gaussian
 /// to long-tailed, are nearly polynomials. Infinity is at x = 0, where numbers are dense.
@@ -92,7 +93,7 @@ private:
 template <std::size_t N>
 Estimate by_rule(const std::array<double, N>& values) {
   const RuleSums sums = apply_rule<N>(values);
-  return {sums.kronrod, std::max(sums.error(), 1e-10 * sums.magnitude), N};
+  return {sums.kronrod, std::max(error_of<N>(sums), 1e-10 * sums.magnitude), N};
 }
 
 Estimate near_by_rule(const Density& density) {
@@ -108,8 +109,12 @@ Estimate far_by_rule(const Density& density, double a) {
   std::array<double, far_count> slopes, values;
   for (std::size_t k = 0; k < far_count; ++k) slopes[k] = a * nodes.slope[k];
   density(slopes.data(), values.data(), far_count);
+  // Up to t ~ a the weight is another function than beyond, of which the rule sees nothing where a is small.
+  const double near_a = values.back() * std::pow(std::min(a, narrowest), 3);
   for (std::size_t k = 0; k < far_count; ++k) values[k] *= nodes.weight[k] * a * a * a;
-  return by_rule<far_count>(values);
+  Estimate estimate = by_rule<far_count>(values);
+  estimate.error += near_a;
+  return estimate;
 }
 
 constexpr std::array<double, 2> unit_interval = {0, 1};
@@ -132,7 +137,8 @@ Estimate far_adaptive(const Density& density, double a, double tolerance) {
     density(r.data(), y, n);
     for (std::size_t k = 0; k < n; ++k) y[k] = y[k] > 0 ? y[k] * map.weight(x[k]) * a * a * a : 0;
   };
-  return integrate(f, unit_interval, {.absolute = tolerance, .relative = 1e-14});
+  const std::array<double, 3> cuts = {0, map.scale / (map.scale + 8), 1}; // the weight changes its nature at s ~ 1
+  return integrate(f, cuts, {.absolute = tolerance, .relative = 1e-14});
 }
 
 /// Replaces an estimate by a better one.

@@ -20,38 +20,23 @@ struct Cell {
   bool operator<(const Cell& other) const { return error < other.error; }
 };
 
-/// The sums of a product rule: in each variable, what its two rules say of the integral over the other one. They share
-/// the integral by Kronrod's rules, and the spread.
-struct ProductSums {
-  RuleSums in_x, in_y;
-};
-
-ProductSums weigh(const std::vector<double>& f) {
-  const auto& rx = GaussKronrod<nx>::rule();
-  const auto& ry = GaussKronrod<ny>::rule();
-  ProductSums sums;
-  for (std::size_t j = 0; j < ny; ++j) {
-    double kronrod = 0, gauss = 0, magnitude = 0;
-    for (std::size_t i = 0; i < nx; ++i) {
-      const double value = f[j * nx + i];
-      kronrod += rx.kronrod[i] * value;
-      gauss += rx.gauss[i] * value;
-      magnitude += rx.kronrod[i] * std::fabs(value);
-    }
-    sums.in_x.kronrod += ry.kronrod[j] * kronrod;
-    sums.in_x.gauss += ry.kronrod[j] * gauss;
-    sums.in_y.gauss += ry.gauss[j] * kronrod;
-    sums.in_x.magnitude += ry.kronrod[j] * magnitude;
+/// What one of the rules says of its lines, added with the weights of the other rule. The signs of differences and
+/// coefficients do not count: those of a whole rectangle may cancel between its lines, which says nothing of the error.
+template <std::size_t N>
+class Lines {
+public:
+  /// One line: its values, `stride` apart.
+  void add(const double* values, std::size_t stride, double weight) {
+    for (std::size_t k = 0; k < N; ++k) line_[k] = values[k * stride];
+    sums_.add(apply_rule<N>(line_), weight);
   }
-  const double mean = 0.25 * sums.in_x.kronrod;
-  for (std::size_t j = 0; j < ny; ++j)
-    for (std::size_t i = 0; i < nx; ++i)
-      sums.in_x.spread += ry.kronrod[j] * rx.kronrod[i] * std::fabs(f[j * nx + i] - mean);
-  sums.in_y.kronrod = sums.in_x.kronrod;
-  sums.in_y.magnitude = sums.in_x.magnitude;
-  sums.in_y.spread = sums.in_x.spread;
-  return sums;
-}
+  double value() const { return sums_.kronrod; }
+  double error() const { return error_of<N>(sums_); }
+
+private:
+  std::array<double, N> line_{};
+  RuleSums sums_;
+};
 
 class Cubature {
 public:
@@ -68,11 +53,14 @@ public:
       }
     f_(r.chart, x_.data(), y_.data(), values_.data(), nx * ny);
     evaluations += nx * ny;
-    const ProductSums sums = weigh(values_);
-    const double in_x = sums.in_x.error();
-    const double in_y = sums.in_y.error();
+    Lines<nx> rows;
+    Lines<ny> columns;
+    for (std::size_t j = 0; j < ny; ++j) rows.add(&values_[j * nx], 1, ry.kronrod[j]);
+    for (std::size_t i = 0; i < nx; ++i) columns.add(&values_[i], nx, rx.kronrod[i]);
+    const double in_x = rows.error();
+    const double in_y = columns.error();
     const double area = std::fabs(half_x * half_y);
-    return {r, area * sums.in_x.kronrod, area * (in_x + in_y), in_x >= in_y};
+    return {r, area * rows.value(), area * (in_x + in_y), in_x >= in_y};
   }
 
   using Pair = std::array<Cell, 2>;

@@ -3,9 +3,6 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 
-#include <algorithm>
-#include <limits>
-
 namespace brdfplot {
 
 namespace {
@@ -24,28 +21,22 @@ GaussKronrod<N> make() {
       rule.x[at] = at < middle ? -Kronrod::abscissa()[k] : Kronrod::abscissa()[k];
       rule.kronrod[at] = Kronrod::weights()[k];
       rule.gauss[at] = g;
-      const auto coefficient = [&](int degree) {
-        return g * (degree + 0.5) * boost::math::legendre_p(degree, rule.x[at]);
+      const auto coefficient = [&](std::size_t degree) {
+        const auto n = static_cast<int>(degree);
+        return rule.kronrod[at] * (n + 0.5) * boost::math::legendre_p(n, rule.x[at]);
       };
-      rule.last[at] = coefficient(N / 2 - 1);
-      rule.before_last[at] = coefficient(N / 2 - 2);
+      constexpr std::size_t highest = GaussKronrod<N>::last_degree;
+      for (std::size_t j = 0; j < 2; ++j) {
+        rule.last[j][at] = coefficient(highest - j);
+        rule.next_to_last[j][at] = coefficient(highest - 2 - j);
+      }
+      for (std::size_t j = 0; j < 4; ++j) rule.before[j][at] = coefficient(highest - rule.apart - j);
     }
   }
   return rule;
 }
 
 } // namespace
-
-double RuleSums::error() const {
-  double error = std::fabs(kronrod - gauss);
-  if (spread > 0) {
-    const double ratio = 200 * error / spread;
-    error = spread * std::min(1.0, ratio * std::sqrt(ratio));
-    const double decay = std::min(1.0, coefficient / spread);
-    error = std::max(error, spread * decay * decay * decay);
-  }
-  return std::max(error, 50 * std::numeric_limits<double>::epsilon() * magnitude);
-}
 
 template <std::size_t N>
 const GaussKronrod<N>& GaussKronrod<N>::rule() {

@@ -2,36 +2,73 @@
 /// Gauss-Kronrod rules as tables of nodes and weights, and the error that goes with them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace brdfplot {
 
 /// Nodes of the Kronrod rule of N points on [-1, 1] in ascending order with both weights; a Gauss weight of 0 where the
-/// node is not one of Gauss's N / 2. N: 15, 21, 31, 61.
+/// node is not one of Gauss's n = (N - 1) / 2. N: 15, 21, 31, 61.
 template <std::size_t N>
 struct GaussKronrod {
+  static constexpr std::size_t gauss_count = N / 2;
+  static constexpr std::size_t exact_degree = 3 * gauss_count + 1; ///< of polynomials that Kronrod's rule integrates
+  static constexpr std::size_t last_degree = exact_degree / 2;     ///< of Legendre coefficients that it can tell
+  static constexpr std::size_t apart = 5; ///< degrees by which the coefficients before are lower
+
   std::array<double, N> x, kronrod, gauss;
-  /// Weights that give the last two coefficients of f in Legendre polynomials that Gauss's nodes can tell.
-  std::array<double, N> last, before_last;
+  /// Weights that give the coefficients of f in Legendre polynomials: of the last degrees, in pairs (odd and even
+  /// functions lack every second one), and of as many lower ones.
+  std::array<std::array<double, N>, 2> last, next_to_last;
+  std::array<std::array<double, N>, 4> before;
 
   static const GaussKronrod& rule();
 };
 
-/// What two rules say of one function on [-1, 1].
+/// What two rules say of one function on [-1, 1], or added up over several.
 struct RuleSums {
-  double kronrod = 0, gauss = 0; ///< the two integrals
-  double magnitude = 0;          ///< of |f|
-  double spread = 0;             ///< of |f - mean|
-  double coefficient = 0;        ///< the larger of the last two; 0 where not asked for
+  double kronrod = 0;   ///< the integral
+  double magnitude = 0; ///< of |f|
+  double gap = 0;       ///< |Kronrod - Gauss|
+  /// The largest coefficient of each group.
+  double last = 0, next_to_last = 0, before = 0;
 
-  /// QUADPACK's error of the Kronrod rule (Piessens et al. 1983): the difference of the two rules is the error of the
-  /// worse one, and is scaled by how well they converge; never below 50 roundings. The difference may be small by
-  /// accident. But Gauss's rule of n points, of degree 2 n - 1, and Kronrod's, of degree 3 n + 1, cannot be good while
-  /// coefficients of degree n are not small: the error is never below the cube of these.
-  double error() const;
+  void add(const RuleSums& other, double weight) {
+    kronrod += weight * other.kronrod;
+    magnitude += weight * other.magnitude;
+    gap += weight * other.gap;
+    last += weight * other.last;
+    next_to_last += weight * other.next_to_last;
+    before += weight * other.before;
+  }
 };
+
+/// The error of Kronrod's rule, judged by how fast the Legendre coefficients c_d of f fall. Gauss's rule errs like
+/// c_2n, Kronrod's like c_(3n+2): both are guessed from the last coefficients, and from the difference of the rules, at
+/// the rate at which coefficients fell so far, over the last two degrees or the last five, whichever is slower. What
+/// falls like a power of d, as the coefficients of a kink do, gets little credit for converging, and nothing gets more
+/// than a factor of 300 below its last coefficients: a small part that falls slowly may just have come to light.
+/// (QUADPACK judges by the size of the difference alone, and believes the rule where a small kink is left in a smooth
+/// function.) Never below 50 roundings.
+template <std::size_t N>
+double error_of(const RuleSums& sums) {
+  using Rule = GaussKronrod<N>;
+  const double rounding = 50 * std::numeric_limits<double>::epsilon() * sums.magnitude;
+  const double last = std::max(sums.last, sums.next_to_last);
+  if (!(std::max(sums.gap, 4 * last) > rounding)) return rounding;
+  const auto log_rate = [](double factor, double later, double earlier, double degrees) {
+    return factor * later < earlier ? std::log(factor * later / earlier) / degrees : 0;
+  };
+  const double rate =
+      std::max(log_rate(2, last, sums.before, Rule::apart), log_rate(1.2, sums.last, sums.next_to_last, 2));
+  constexpr double from_gauss = Rule::gauss_count + 2;
+  constexpr double from_last = Rule::exact_degree + 1 - (Rule::last_degree - 1.5);
+  return std::max(
+      {sums.gap * std::exp(from_gauss * rate), 4 * last * std::exp(from_last * rate), last / 300, rounding});
+}
 
 /// The sum of f(0) ... f(N - 1) in four strands, which the processor adds at the same time.
 template <std::size_t N, class Function>
@@ -53,11 +90,16 @@ RuleSums apply_rule(const std::array<double, N>& values) {
   };
   RuleSums sums;
   sums.kronrod = sum_with(rule.kronrod);
-  sums.gauss = sum_with(rule.gauss);
+  sums.gap = std::fabs(sums.kronrod - sum_with(rule.gauss));
   sums.magnitude = sum_in_strands<N>([&](std::size_t k) { return rule.kronrod[k] * std::fabs(values[k]); });
-  const double mean = 0.5 * sums.kronrod;
-  sums.spread = sum_in_strands<N>([&](std::size_t k) { return rule.kronrod[k] * std::fabs(values[k] - mean); });
-  sums.coefficient = std::fmax(std::fabs(sum_with(rule.last)), std::fabs(sum_with(rule.before_last)));
+  const auto largest = [&](const auto& group) {
+    double most = 0;
+    for (const auto& weights : group) most = std::max(most, std::fabs(sum_with(weights)));
+    return most;
+  };
+  sums.last = largest(rule.last);
+  sums.next_to_last = largest(rule.next_to_last);
+  sums.before = largest(rule.before);
   return sums;
 }
 

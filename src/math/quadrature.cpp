@@ -25,7 +25,7 @@ Interval apply(const BatchFunction& f, double a, double b) {
   for (std::size_t k = 0; k < node_count; ++k) x[k] = centre + half * rule.x[k];
   f(x.data(), y.data(), node_count);
   const RuleSums sums = apply_rule<node_count>(y);
-  return {a, b, half * sums.kronrod, std::fabs(half) * sums.error()};
+  return {a, b, half * sums.kronrod, std::fabs(half) * error_of<node_count>(sums)};
 }
 
 using Pair = std::array<Interval, 2>;

@@ -21,6 +21,7 @@ struct Piece {
   double to = 0;
   std::array<double, node_count> coefficients{};
   bool resolved = false;
+  bool vanishes = false; ///< below `smallest` throughout, since a Lambda falls
 
   double operator()(double x) const {
     const double z = (2 * x - from - to) / (to - from);
@@ -68,9 +69,10 @@ bool fit(const LogDensity& log_density, Piece& piece) {
 }
 
 void add(const LogDensity& log_density, double from, double to, std::vector<Piece>& pieces) {
-  Piece piece{from, to, {}, false};
+  Piece piece{from, to};
   piece.resolved = fit(log_density, piece);
-  if (piece.resolved || to - from < narrowest || !(a_lambda_by_quadrature(log_density, std::expm1(from)) > smallest)) {
+  if (!piece.resolved) piece.vanishes = !(a_lambda_by_quadrature(log_density, std::expm1(from)) > smallest);
+  if (piece.resolved || piece.vanishes || to - from < narrowest) {
     pieces.push_back(piece);
     return;
   }
@@ -93,6 +95,7 @@ public:
       const auto& pieces = made(block);
       const Piece& piece = *(std::ranges::upper_bound(pieces, x, {}, &Piece::from) - 1);
       if (piece.resolved) return piece(x);
+      if (piece.vanishes) return 0;
     }
     return a_lambda_by_quadrature(log_density_, a);
   }

@@ -91,6 +91,11 @@ Rgb DielectricFresnel::reflectance(double c) const {
   return {dielectric_reflectance(c, eta[0]), dielectric_reflectance(c, eta[1]), dielectric_reflectance(c, eta[2])};
 }
 
+std::optional<double> DielectricFresnel::critical_cosine(std::size_t channel) const {
+  const double c2 = (1 - eta[channel]) * (1 + eta[channel]);
+  return c2 > 0 ? std::optional(std::sqrt(c2)) : std::nullopt;
+}
+
 ModelSpec ConductorFresnel::spec() {
   return {.type = "conductor",
           .doc = "smooth conductor, unpolarised",
@@ -107,6 +112,11 @@ ModelSpec ConductorFresnel::spec() {
 
 ConductorFresnel ConductorFresnel::from(const Values& values) {
   return {values.rgb("eta"), values.rgb("k"), values.is_rgb("eta") || values.is_rgb("k")};
+}
+
+std::optional<double> ConductorFresnel::critical_cosine(std::size_t channel) const {
+  const double c2 = 1 - (eta[channel] - k[channel]) * (eta[channel] + k[channel]);
+  return c2 > 0 && c2 < 1 ? std::optional(std::sqrt(c2)) : std::nullopt;
 }
 
 Rgb ConductorFresnel::reflectance(double c) const {

@@ -1,9 +1,12 @@
 /// \file
-/// Fresnel reflectance of a microfacet, per channel. The list of types is at the end.
+/// Fresnel reflectance of a microfacet, per channel. The list of types is at the end. A type that is not smooth, or
+/// nearly so, declares where (`critical_cosine`), so that integrals can be cut there.
 #pragma once
 
 #include "microfacet/parameters.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <variant>
 
 namespace brdfplot {
@@ -40,6 +43,8 @@ struct DielectricFresnel {
   static DielectricFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
   Rgb reflectance(double cos_theta) const;
+  /// The cosine up to which reflection is total, sqrt(1 - eta^2) of eta < 1: F falls from 1 like a root there.
+  std::optional<double> critical_cosine(std::size_t channel) const;
 };
 
 /// Unpolarised reflectance of a conductor of relative index eta + i k.
@@ -52,6 +57,9 @@ struct ConductorFresnel {
   static ConductorFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
   Rgb reflectance(double cos_theta) const;
+  /// Where the real part of the squared index is sin^2: for k -> 0 reflection is total up to there, and for small k F
+  /// changes within a narrow range about it.
+  std::optional<double> critical_cosine(std::size_t channel) const;
 };
 
 /// Reflectance of one channel at the cosine `c` in [0, 1] between direction and facet normal (1).

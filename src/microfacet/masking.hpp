@@ -4,6 +4,9 @@
 /// Each has either (`has_lambda`) c Lambda, independent of the normal, as `masked_area(projection, omega)` or, over
 /// arrays, `masked_areas(distribution, c, s, t, n)`, or `unmasked_area(projection, o_dot_m, z_m)` = c / G1. Both are
 /// finite at grazing, where Lambda is not. Only `custom` is asked with more, since a formula may use it.
+///
+/// What is not smooth in the direction declares where, so that integrals can be cut there: `kink(projection)`, or
+/// `kink(projection, o_dot_m, z_m)` where it depends on the normal, changes its sign.
 #pragma once
 
 #include "microfacet/masking/custom.hpp"

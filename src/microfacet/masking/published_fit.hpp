@@ -36,6 +36,8 @@ struct PublishedFit {
 struct SheenFit : PublishedFit<SheenFit, Sheen> {
   static ModelSpec spec();
   static double masked_area(const Sheen& sheen, const Projection& p);
+  /// Changes its sign where the second derivative jumps, at c = 1/2 (see masking.hpp).
+  static double kink(const Projection& p) { return p.c - 0.5; }
 };
 
 /// Ribardiere et al. 2017, Eqs. 22-23, with 2F1 by their rational fits. G1 is off by up to 0.7 %; Lambda falls to

@@ -18,6 +18,8 @@ struct SmithRational {
   static SmithRational from(const Values&) { return {}; }
   static constexpr bool has_lambda = true;
   static constexpr double end = 1.6; ///< a from which on Lambda is 0
+  /// Changes its sign there (see masking.hpp).
+  static double kink(const Projection& p) { return p.c - end * p.s; }
 
   /// c Lambda over arrays.
   template <class D>

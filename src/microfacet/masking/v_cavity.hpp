@@ -22,6 +22,8 @@ struct VCavity {
   double unmasked_area(const Projection& p, double o_dot_m, double z_m) const {
     return std::fmax(p.c, 0.5 * o_dot_m / z_m);
   }
+  /// Changes its sign where the other normal begins to be seen (see masking.hpp).
+  static double kink(const Projection& p, double o_dot_m, double z_m) { return 2 * z_m * p.c - o_dot_m; }
 };
 
 } // namespace brdfplot

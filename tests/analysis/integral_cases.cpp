@@ -1,0 +1,213 @@
+#include "integral_cases.hpp"
+
+#include "math/number.hpp"
+
+namespace test {
+
+namespace {
+
+Vec2 mean_slope(Draw& draw) {
+  return draw.chance(0.2) ? Vec2{draw.between(-0.4, 0.4), draw.between(-0.4, 0.4)} : Vec2{0, 0};
+}
+
+ModelChoice stretched(Draw& draw, const Vec2& mean) {
+  const std::string type =
+      draw.one_of<std::string>({"beckmann", "ggx", "beckmann", "ggx", "student_t", "exponential_power"});
+  const double alpha = draw.log_between(0.002, 5), ratio = draw.chance(0.6) ? draw.log_between(0.01, 100) : 1;
+  const double alpha_y = std::clamp(alpha * ratio, 0.002, 5.0);
+  const double correlation = draw.chance(0.4) ? draw.between(-0.99, 0.99) : 0;
+  ModelChoice choice = general(type, alpha, alpha_y, correlation, mean).distribution;
+  if (type == "student_t") choice.values.set("gamma", 1.5 + draw.log_between(0.2, 40));
+  if (type == "exponential_power") choice.values.set("p", draw.log_between(0.3, 4));
+  return choice;
+}
+
+ModelChoice isotropic(Draw& draw) {
+  const std::string type = draw.one_of<std::string>({"phong", "gtr", "velvet", "sheen", "ward", "gaussian"});
+  ModelChoice choice = describe(type, draw.log_between(0.002, 5)).distribution;
+  if (type == "phong") choice.values.set("alpha", draw.log_between(0.002, 1.3));
+  if (type == "sheen" || type == "velvet") choice.values.set("alpha", draw.log_between(0.02, 5));
+  if (type == "gtr") choice.values.set("gamma", draw.between(0.4, 6));
+  return choice;
+}
+
+ModelChoice distribution(Draw& draw) {
+  const double kind = draw.between(0, 1);
+  if (kind < 0.3) return isotropic(draw);
+  const Vec2 mean = mean_slope(draw);
+  if (kind < 0.8) return stretched(draw, mean);
+  WeightedChoices parts;
+  const int count = draw.chance(0.7) ? 2 : 3;
+  const bool centred = mean[0] == 0 && mean[1] == 0;
+  for (int k = 0; k < count; ++k)
+    parts.push_back({draw.log_between(0.05, 1), centred && draw.chance(0.3) ? isotropic(draw) : stretched(draw, mean)});
+  return mixture(parts).distribution;
+}
+
+ModelChoice fresnel(Draw& draw) {
+  ModelChoice choice{.type = draw.one_of<std::string>({"none", "none", "schlick", "dielectric", "conductor"}),
+                     .values = {}};
+  if (choice.type == "schlick") choice.values.set("f0", draw.between(0, 1));
+  if (choice.type == "dielectric")
+    choice.values.set("eta", draw.chance(0.5) ? draw.between(1.05, 3) : draw.between(0.3, 0.97));
+  if (choice.type == "conductor") {
+    choice.values.set("eta", draw.log_between(0.05, 4));
+    choice.values.set("k", draw.log_between(0.01, 6));
+  }
+  return choice;
+}
+
+std::string describe_choice(const ModelChoice& choice) {
+  std::string text = choice.type;
+  for (const auto& [key, value] : choice.values.map()) {
+    text += " " + key + "=";
+    if (const auto* number = std::get_if<double>(&value)) text += format_number(*number);
+    if (const auto* pair = std::get_if<Vec2>(&value))
+      text += format_number((*pair)[0]) + "," + format_number((*pair)[1]);
+    if (const auto* word = std::get_if<std::string>(&value)) text += *word;
+    if (const auto* parts = std::get_if<WeightedChoices>(&value))
+      for (const auto& part : *parts)
+        text += "[" + format_number(part.weight) + " " + describe_choice(part.model) + "]";
+  }
+  return text;
+}
+
+} // namespace
+
+std::optional<IntegralCase> random_case(std::uint64_t number) {
+  Draw draw(number);
+  MaterialDescription description;
+  description.distribution = distribution(draw);
+  std::vector<std::string> maskings = {"smith",    "smith",          "smith",
+                                       "v_cavity", "smith_rational", "implicit",
+                                       "kelemen",  "schlick_smith",  "schlick_smith_rational"};
+  if (description.distribution.type == "sheen") maskings.insert(maskings.end(), 4, "sheen_fit");
+  if (description.distribution.type == "student_t") maskings.insert(maskings.end(), 4, "student_t_fit");
+  description.masking.type = draw.one_of(maskings);
+  const std::string shadowing = draw.one_of<std::string>(
+      {"none", "separable", "minimum", "height_correlated", "direction_correlated", "height_direction_correlated"});
+  const std::string factor = shadowing.find("direction") != std::string::npos
+                                 ? draw.one_of<std::string>({"ashikhmin", "ginneken", "fitted"})
+                                 : "";
+  description = shadowed(description, shadowing, factor);
+  description.fresnel = fresnel(draw);
+  const double theta = draw.chance(0.08)   ? 0
+                       : draw.chance(0.15) ? draw.one_of<double>({89.99, 89.9, 89}) * degree
+                                           : draw.between(0, 89.9) * degree;
+  const Direction o = from_angles(theta, draw.between(0, 6.3));
+  const Integral integral = draw.one_of<Integral>(
+      {Integral::albedo, Integral::albedo, Integral::albedo, Integral::albedo, Integral::albedo, Integral::furnace,
+       Integral::furnace, Integral::projected_area, Integral::visible_norm, Integral::weak_furnace});
+  const double tolerance = draw.log_between(1e-9, 1e-4);
+  try {
+    const Material material = build(description);
+    if (!(material.slopes().project(o).c > 0)) return {};
+    std::string text = "case " + std::to_string(number) + ": " + describe_choice(description.distribution) + " | " +
+                       description.masking.type + " | " + shadowing + " " + factor + " | " +
+                       describe_choice(description.fresnel) + " | theta_o=" + format_number(theta / degree) +
+                       "deg o=" + format_number(o.x) + "," + format_number(o.y) + "," + format_number(o.z) + " | " +
+                       integrals()[static_cast<std::size_t>(integral)].name + " tolerance " + format_number(tolerance);
+    return IntegralCase{text, material, o, integral, tolerance};
+  } catch (const MaterialError&) {
+    return {}; // a pair of models that is refused
+  }
+}
+
+namespace {
+
+Direction mirrored_at(const Direction& o, const Direction& h) {
+  const double along = 2 * dot(o, h);
+  return {along * h.x - o.x, along * h.y - o.y, along * h.z - o.z};
+}
+
+struct Arrays {
+  std::vector<double> x, y, z;
+  void push(const Direction& d) {
+    x.push_back(d.x);
+    y.push_back(d.y);
+    z.push_back(d.z);
+  }
+  Columns view() const { return {x.data(), y.data(), z.data()}; }
+};
+
+/// The integrand of a case, per solid angle of the facet.
+FacetFunction integrand(const IntegralCase& one, const Component& component, bool several) {
+  const bool lit = one.integral == Integral::albedo || one.integral == Integral::furnace;
+  Material material = one.material;
+  if (one.integral == Integral::furnace) material.fresnel = NoFresnel{};
+  const double whole = material.has_lambda() ? g1(material, one.o) / material.slopes().project(one.o).c : 0; // G1 / c
+  return [&one, &component, material, several, lit, whole](const std::vector<Direction>& facets,
+                                                           std::vector<double>& values) {
+    Arrays o, i, m;
+    for (const Direction& facet : facets) {
+      o.push(one.o);
+      i.push(mirrored_at(one.o, facet));
+      m.push(facet);
+    }
+    const std::size_t n = facets.size();
+    // With a Lambda, masking is one number.
+    const Quantity quantity = lit ? Quantity::brdf_cos : whole > 0 ? Quantity::d : Quantity::d_visible;
+    evaluate(material, quantity, {n, o.view(), lit ? i.view() : Columns{}, lit ? Columns{} : m.view()}, values.data());
+    for (std::size_t k = 0; k < n; ++k) {
+      if (lit) values[k] *= 4 * std::max(0.0, dot(one.o, facets[k]));
+      if (quantity == Quantity::d) values[k] *= whole * std::max(0.0, dot(one.o, facets[k]));
+      if (!several || values[k] == 0) continue;
+      const double all = std::visit([&](const auto& d) { return d.density(facets[k]); }, material.distribution);
+      values[k] *= component.density(facets[k]) / all;
+    }
+  };
+}
+
+} // namespace
+
+RayIntegral truth_of(const IntegralCase& one) {
+  const bool lit = one.integral == Integral::albedo || one.integral == Integral::furnace;
+  const SlopeMap& mesosurface = one.material.slopes();
+  const auto inside = [&](const Direction& facet) {
+    return dot(one.o, facet) > 0 && (!lit || mesosurface.project(mirrored_at(one.o, facet)).c > 0);
+  };
+  const auto parts = components(one.material.distribution);
+  const auto* dielectric = std::get_if<DielectricFresnel>(&one.material.fresnel);
+  const int panels = one.integral == Integral::albedo && dielectric != nullptr && dielectric->eta[0] < 1 ? 6 : 1;
+  RayIntegral sum;
+  for (const Component& component : parts) {
+    const RayIntegral part =
+        integrate_rays(component.slopes(), one.o, inside, integrand(one, component, parts.size() > 1),
+                       one.tolerance / static_cast<double>(parts.size()), panels);
+    sum.value += part.value;
+    sum.doubt += part.doubt;
+    sum.evaluations += part.evaluations;
+  }
+  if (one.integral == Integral::projected_area) {
+    sum.value *= mesosurface.project(one.o).c;
+    sum.doubt *= mesosurface.project(one.o).c;
+  }
+  return sum;
+}
+
+RayIntegral diffuse_truth(const Material& material, const Direction& o, const Direction& i, double tolerance,
+                          double about) {
+  const double c_o = material.slopes().project(o).c, c_i = material.slopes().project(i).c;
+  const auto inside = [&](const Direction& facet) { return dot(o, facet) > 0 && dot(i, facet) > 0; };
+  RayIntegral sum;
+  for (const Component& component : components(material.distribution)) {
+    const FacetFunction f = [&](const std::vector<Direction>& facets, std::vector<double>& values) {
+      Arrays os, is, ms;
+      for (const Direction& facet : facets) {
+        os.push(o);
+        is.push(i);
+        ms.push(facet);
+      }
+      evaluate(material, Quantity::g2, {facets.size(), os.view(), is.view(), ms.view()}, values.data());
+      for (std::size_t k = 0; k < facets.size(); ++k)
+        values[k] *= std::max(0.0, dot(o, facets[k])) * std::max(0.0, dot(i, facets[k])) *
+                     component.density(facets[k]) / (std::numbers::pi * c_o * c_i);
+    };
+    const RayIntegral part = integrate_rays(component.slopes(), o, inside, f, tolerance * about);
+    sum.value += part.value;
+    sum.doubt += part.doubt;
+  }
+  return sum;
+}
+
+} // namespace test
