@@ -63,7 +63,7 @@ int alternations(const FitResult& result) {
   double last = 0;
   for (const FitSample& s : samples.samples) {
     const double error = result.fit.relative_error(s.a, s.y, s.lambda);
-    if (std::fabs(error) < 0.9 * result.relative.error || error * last > 0) continue;
+    if (std::fabs(error) < 0.9 * result.in_double.relative.error || error * last > 0) continue;
     ++count;
     last = error;
   }
@@ -142,9 +142,9 @@ TEST_CASE("fit: shape-invariant distributions, one variable") {
     INFO(row.description.name << " " << row.tolerance);
     const FitResult result = fit_lambda(row.description, {.tolerance = row.tolerance, .threads = 2});
     CHECK(result.target.alpha == FitAlpha::argument);
-    CHECK(result.relative.error <= row.tolerance);
+    CHECK(result.in_double.relative.error <= row.tolerance);
     check(look(result, row.description, row.alpha, 0), row.tolerance);
-    CHECK(result.absolute <= result.relative.error);
+    CHECK(result.in_double.absolute <= result.in_double.relative.error);
   }
 }
 
