@@ -178,6 +178,11 @@ double best_error(const FitSamples& samples, const Landmarks& at, bool two) {
   return best;
 }
 
+/// Whether the numbers of the code are proved sound as double and as float have them.
+bool sound(const FitCode& code, const FitTarget& target) {
+  return without_rounding(code, target).proved_sound() && without_rounding(in_floats(code), target).proved_sound();
+}
+
 /// The code of a fit in the basis in which float loses least; coefficients are floats where the fit then is within the
 /// tolerance and sound.
 void write_code(FitResult& result, const LambdaFit& fit, double tolerance, const FitSamples& samples) {
@@ -186,9 +191,9 @@ void write_code(FitResult& result, const LambdaFit& fit, double tolerance, const
     for (const bool n_in_u : {false, true}) {
       for (const bool m_in_u : {false, true}) {
         const FitCode code = as_code(fit, result.target, n_in_u, m_in_u, single);
-        const LambdaFit exact = single ? without_rounding(code, result.target) : fit;
-        if (single && !(largest_error(exact, samples).error <= tolerance && exact.proved_sound())) continue;
-        const FitAccuracy in_float = accuracy_of(result.target, code, exact, samples, true);
+        const LambdaFit exact = without_rounding(code, result.target);
+        if (single && !(largest_error(exact, samples).error <= tolerance && sound(code, result.target))) continue;
+        const FitAccuracy in_float = accuracy_of(result.target, code, samples, true);
         if (found && !(in_float.relative.error < result.in_float.relative.error)) continue;
         found = true;
         result.code = code;
@@ -199,7 +204,7 @@ void write_code(FitResult& result, const LambdaFit& fit, double tolerance, const
     }
     if (found) break;
   }
-  result.in_double = accuracy_of(result.target, result.code, result.fit, samples, false);
+  result.in_double = accuracy_of(result.target, result.code, samples, false);
 }
 
 /// The cheapest fit within `tolerance`, as code; nothing where there is none.

@@ -1,8 +1,10 @@
 #include "analysis/fit_accuracy.hpp"
 
 #include "analysis/fit_rounding.hpp"
+#include "math/number.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -10,13 +12,14 @@ namespace brdfplot {
 
 namespace {
 
-double rounded(double value, bool single) { return single ? static_cast<double>(static_cast<float>(value)) : value; }
+/// What the text of the number is worth in double.
+double written(double value, bool single) { return *parse_number(shortest_digits(value, single)); }
 
 double scale_of_s(const FitTarget& target) { return target.alpha == FitAlpha::constant ? target.alpha_value : 1; }
 
 CodePolynomial as_code(const Polynomial& p, bool in_u, bool single) {
   CodePolynomial code{in_u ? mirrored_x(p) : p, in_u};
-  for (double& c : code.of.c) c = rounded(c, single);
+  for (double& c : code.of.c) c = written(c, single);
   return code;
 }
 
@@ -109,8 +112,9 @@ Rounding rounding_at(const FitTarget& target, const FitCode& code, const FitSamp
 }
 
 template <class Machine>
-FitAccuracy accuracy(const FitTarget& target, const FitCode& code, const LambdaFit& fit, const FitSamples& samples) {
+FitAccuracy accuracy(const FitTarget& target, const FitCode& code, const FitSamples& samples) {
   FitAccuracy out;
+  const LambdaFit fit = without_rounding(code, target);
   const double of_projection = target.by_cosine() ? 0 : error_of_projection<Machine>(target.slopes);
   for (const FitSample& s : samples.samples) {
     const Rounding rounding = rounding_at<Machine>(target, code, s, of_projection);
@@ -129,14 +133,28 @@ FitAccuracy accuracy(const FitTarget& target, const FitCode& code, const LambdaF
 
 } // namespace
 
-FitAccuracy accuracy_of(const FitTarget& target, const FitCode& code, const LambdaFit& fit, const FitSamples& samples,
-                        bool single) {
-  return single ? accuracy<SingleArithmetic>(target, code, fit, samples)
-                : accuracy<DoubleArithmetic>(target, code, fit, samples);
+FitAccuracy accuracy_of(const FitTarget& target, const FitCode& code, const FitSamples& samples, bool single) {
+  return single ? accuracy<SingleArithmetic>(target, in_floats(code), samples)
+                : accuracy<DoubleArithmetic>(target, code, samples);
+}
+
+std::string shortest_digits(double value, bool single) {
+  if (!single) return format_number(value);
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr;
+  return {text, end};
+}
+
+FitCode in_floats(FitCode code) {
+  const auto round = [](double& value) { value = SingleArithmetic::nearest(value); };
+  round(code.scale);
+  std::ranges::for_each(code.n.of.c, round);
+  std::ranges::for_each(code.m.of.c, round);
+  return code;
 }
 
 FitCode as_code(const LambdaFit& fit, const FitTarget& target, bool n_in_u, bool m_in_u, bool single) {
-  return {fit.form.cut, fit.form.power, rounded(fit.form.scale * scale_of_s(target), single),
+  return {fit.form.cut, fit.form.power, written(fit.form.scale * scale_of_s(target), single),
           as_code(fit.n, n_in_u, single), as_code(fit.m, m_in_u, single)};
 }
 

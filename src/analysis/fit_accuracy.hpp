@@ -15,15 +15,20 @@ struct FitAccuracy {
   bool in_range = true; ///< n > 0 and m > 0 whatever the rounding, so that G1 is in [0, 1]
 };
 
-/// In `single`: float, else double. `fit` is what `code` is without rounding. Twice the rounding bounds how far G1 of
-/// one direction may be below that of a more grazing one.
-FitAccuracy accuracy_of(const FitTarget& target, const FitCode& code, const LambdaFit& fit, const FitSamples& samples,
-                        bool single);
+/// In float where `single`, else in double. Twice the rounding bounds how far G1 of one direction may be below that of
+/// a more grazing one.
+FitAccuracy accuracy_of(const FitTarget& target, const FitCode& code, const FitSamples& samples, bool single);
 
-/// `fit` as code, n in u where `n_in_u`, m where `m_in_u`; coefficients rounded to float where `single`.
+/// The shortest digits of a double, or of the nearest float where `single`.
+std::string shortest_digits(double value, bool single);
+
+/// `fit` as code, n in u where `n_in_u`, m where `m_in_u`; with the digits of floats where `single`.
 FitCode as_code(const LambdaFit& fit, const FitTarget& target, bool n_in_u, bool m_in_u, bool single);
 
-/// What `code` is without rounding.
+/// The code with its numbers as floats.
+FitCode in_floats(FitCode code);
+
+/// What `code` computes without rounding.
 LambdaFit without_rounding(const FitCode& code, const FitTarget& target);
 
 } // namespace brdfplot

@@ -38,8 +38,8 @@ inline constexpr double code_tiny = 1e-30;
 template <class Real>
 Real code_polynomial(const Polynomial& p, const Real& t, const Real& y) {
   const auto coefficient = [&](std::size_t i) {
-    Real value(p.at(i, p.dy));
-    for (std::size_t j = p.dy; j-- > 0;) value = Real(p.at(i, j)) + y * value;
+    auto value = static_cast<Real>(p.at(i, p.dy));
+    for (std::size_t j = p.dy; j-- > 0;) value = static_cast<Real>(p.at(i, j)) + y * value;
     return value;
   };
   Real value = coefficient(p.dx);
@@ -63,7 +63,7 @@ Real code_power(const Real& u, int power) {
 /// The scaled projected roughness k, s >= 0.
 template <class Real>
 Real code_scaled(const FitCode& code, const Real& s) {
-  return Real(code.scale) * s + Real(code_tiny);
+  return static_cast<Real>(code.scale) * s + static_cast<Real>(code_tiny);
 }
 
 /// n and d from the projected area c of the mesosurface and k, c >= 0.
@@ -71,7 +71,7 @@ template <class Real>
 FitTerms<Real> code_terms(const FitCode& code, const Real& c, const Real& k, const Real& y) {
   using std::max;
   const Real r = code.cut ? max(c, k) : c + k;
-  const Real q = Real(1.0) / r;
+  const Real q = static_cast<Real>(1.0) / r;
   const Real x = c * q;
   const Real u = (code.cut ? r - c : k) * q;
   const Real n_factor = code_polynomial(code.n.of, code.n.in_u ? u : x, y);
@@ -86,16 +86,16 @@ template <class Real>
 Real code_within(const FitParameter& p, const Real& value) {
   using std::max;
   using std::min;
-  const Real above = max(value, Real(p.from));
-  return p.to < infinity ? min(above, Real(p.to)) : above;
+  const Real above = max(value, static_cast<Real>(p.from));
+  return p.to < infinity ? min(above, static_cast<Real>(p.to)) : above;
 }
 
 /// y of the parameter.
 template <class Real>
 Real code_y(const FitParameter& p, const Real& value) {
   const Real within = code_within(p, value);
-  if (p.reciprocal) return Real(p.factor) / (within + Real(p.shift));
-  return Real(p.offset) + Real(p.factor) * within;
+  if (p.reciprocal) return static_cast<Real>(p.factor) / (within + static_cast<Real>(p.shift));
+  return static_cast<Real>(p.offset) + static_cast<Real>(p.factor) * within;
 }
 
 /// sin(theta), without the cancellation of 1 - c^2.
@@ -103,7 +103,7 @@ template <class Real>
 Real code_sine(const Real& c) {
   using std::max;
   using std::sqrt;
-  return sqrt(max((Real(1.0) - c) * (Real(1.0) + c), Real(0.0)));
+  return sqrt(max((static_cast<Real>(1.0) - c) * (static_cast<Real>(1.0) + c), static_cast<Real>(0.0)));
 }
 
 /// s of a direction: alpha sin(theta), with alpha the argument, the parameter or the root of y; sin(theta) where it is

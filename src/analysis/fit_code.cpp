@@ -1,27 +1,18 @@
 #include "analysis/fit_code.hpp"
 
-#include "math/number.hpp"
+#include "analysis/fit_dialect.hpp"
 
-#include <charconv>
 #include <cmath>
 
 namespace brdfplot {
 
 namespace {
 
-using Texts = std::vector<std::string>;
-
-std::string joined(const Texts& texts) {
-  std::string out;
-  for (const auto& text : texts) out += (out.empty() ? "" : ", ") + text;
-  return out;
-}
-
-/// Writes what differs between the languages.
-class Writer {
+/// Writes the functions one after the other.
+class Writer : private FitDialect {
 public:
   Writer(const FitResult& result, FitLanguage language)
-      : result_(result), target_(result.target), language_(language), name_(fit_identifier(result.target.name)) {}
+      : FitDialect(language), result_(result), target_(result.target), name_(fit_identifier(result.target.name)) {}
 
   std::string functions() {
     terms();
@@ -34,27 +25,7 @@ public:
   }
 
 private:
-  bool cpp() const { return language_ == FitLanguage::cpp; }
-  std::string real() const { return cpp() ? "Real" : "float"; }
-  std::string local(const std::string& name) const {
-    return "  " + (cpp() ? "const Real " : std::string("float ")) + name + " = ";
-  }
-  std::string output(const std::string& name) const { return cpp() ? "Real& " + name : "out float " + name; }
-  std::string call(const std::string& function, const Texts& arguments) const {
-    return (cpp() ? "std::" : "") + function + "(" + joined(arguments) + ")";
-  }
-  std::string max(const std::string& a, const std::string& b) const { return call("max", {a, b}); }
-  std::string min(const std::string& a, const std::string& b) const { return call("min", {a, b}); }
-  std::string sqrt(const std::string& x) const { return call("sqrt", {x}); }
-  std::string arctangent(const std::string& y, const std::string& x) const {
-    return call(language_ == FitLanguage::glsl ? "atan" : "atan2", {y, x});
-  }
-  std::string literal(std::string digits) const {
-    if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
-    return cpp() ? "Real(" + digits + ")" : digits;
-  }
-  std::string number(double value) const { return literal(format_number(value)); }
-  std::string coefficient(double value) const { return literal(fit_digits(value, result_.single)); }
+  std::string coefficient(double value) const { return literal(shortest_digits(value, result_.single)); }
 
   void line(const std::string& text) { out_ += text + "\n"; }
   void head(const std::string& signature) {
@@ -168,14 +139,17 @@ private:
     return joined(names);
   }
 
+  /// Of y where it may stand beside that of a vector.
+  std::string name_of_y() const { return "y_" + target_.parameter->key; }
+
   /// y, of the parameter within its domain; code_y().
   void set_y() {
     const FitParameter& p = *target_.parameter;
     const std::string above = max(p.key, number(p.from));
     line(local("within") + (p.to < infinity ? min(above, number(p.to)) : above) + ";");
     const std::string shifted = std::string("within") + (p.shift < 0 ? " - " : " + ") + number(std::abs(p.shift));
-    line(local("y") + (p.reciprocal ? number(p.factor) + " / (" + shifted + ");"
-                                    : number(p.offset) + " + " + number(p.factor) + " * within;"));
+    line(local(name_of_y()) + (p.reciprocal ? number(p.factor) + " / (" + shifted + ");"
+                                            : number(p.offset) + " + " + number(p.factor) + " * within;"));
   }
 
   /// c of a direction, and s, code_roughness(), where `whole`.
@@ -194,7 +168,7 @@ private:
     const std::string sine = sqrt(max("(" + one + " - " + c + ") * (" + one + " + " + c + ")", number(0)));
     std::string alpha;
     if (target_.alpha == FitAlpha::argument) alpha = "alpha * ";
-    if (target_.alpha == FitAlpha::root_of_y) alpha = sqrt("y") + " * ";
+    if (target_.alpha == FitAlpha::root_of_y) alpha = sqrt(name_of_y()) + " * ";
     if (target_.alpha == FitAlpha::parameter) alpha = "within * ";
     line(local("s" + end) + alpha + sine + ";");
   }
@@ -204,7 +178,8 @@ private:
     project_side(vectors, end, true);
     line("  " + real() + " n" + end + ";");
     line("  " + real() + " d" + end + ";");
-    line("  " + name_ + "_terms(c" + end + ", s" + end + (has_y() ? ", y" : "") + ", n" + end + ", d" + end + ");");
+    line("  " + name_ + "_terms(c" + end + ", s" + end + (has_y() ? ", " + name_of_y() : "") + ", n" + end + ", d" +
+         end + ");");
   }
 
   /// Lambda and G1.
@@ -258,12 +233,15 @@ private:
   void combine() {
     const std::string& form = target_.shadowing;
     const std::string g1_o = "d_o / (d_o + n_o)", g1_i = "d_i / (d_i + n_i)";
-    const auto result = [&](const std::string& value) { line("  return " + value + ";"); };
+    const auto result = [&](const std::string& value) {
+      const std::string faces = target_.slopes.centred() ? "" : "z_o + z_i > " + number(0) + " ? ";
+      line("  return " + faces + value + (faces.empty() ? ";" : " : " + number(0) + ";"));
+    };
     const auto correlated = [&](const std::string& sum) {
       line(local("both") + "d_o * d_i;");
       result("both / " + max("both + " + sum, number(code_tiny)));
     };
-    if (form == "none") return result("c_i > " + number(0) + " ? " + g1_o + " : " + number(0));
+    if (form == "none") return result("(c_i > " + number(0) + " ? " + g1_o + " : " + number(0) + ")");
     if (form == "separable") return result("(" + g1_o + ") * (" + g1_i + ")");
     if (form == "minimum") return result(min(g1_o, g1_i));
     if (form == "height_correlated") return correlated("n_o * d_i + n_i * d_o");
@@ -280,6 +258,8 @@ private:
   void shadowing(bool vectors) {
     const bool azimuth = !target_.factor.empty() && !vectors;
     line("// " + doc_of_shadowing(azimuth));
+    if (!target_.slopes.centred())
+      line("// 0 where the half vector of the two is not above the geometric surface, where no facets are.");
     head(real() + " " + name_ + "_g2(" + arguments(vectors, {"_o", "_i"}, azimuth) + ")");
     if (has_y()) set_y();
     terms_of_side(vectors, "_o");
@@ -294,33 +274,11 @@ private:
 
   const FitResult& result_;
   const FitTarget& target_;
-  FitLanguage language_;
   std::string name_;
   std::string out_;
 };
 
 } // namespace
-
-std::string fit_digits(double value, bool single) {
-  if (!single) return format_number(value);
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr;
-  return {text, end};
-}
-
-std::string fit_identifier(const std::string& name) {
-  std::string out;
-  for (const char letter : name) {
-    const bool upper = letter >= 'A' && letter <= 'Z';
-    const bool kept = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || upper;
-    if (kept)
-      out += upper ? static_cast<char>(letter - 'A' + 'a') : letter;
-    else if (!out.empty() && out.back() != '_')
-      out += '_';
-  }
-  while (out.ends_with('_')) out.pop_back();
-  return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "material_" + out : out;
-}
 
 std::string fit_code(const FitResult& result, double tolerance, FitLanguage language) {
   std::string out;

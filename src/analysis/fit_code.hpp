@@ -15,9 +15,6 @@ enum class FitLanguage { cpp, glsl, hlsl };
 /// beginning with a letter.
 std::string fit_identifier(const std::string& name);
 
-/// The shortest digits of a double, or of a float where `single`.
-std::string fit_digits(double value, bool single);
-
 /// What the fit is and how good it is: lines of plain text.
 std::vector<std::string> describe(const FitResult& result, double tolerance);
 

@@ -9,11 +9,13 @@ namespace brdfplot {
 
 /// How a machine rounds, relative to results: sums and products, quotients, square roots.
 struct SingleArithmetic { ///< float: IEEE, fused or not, or GLSL's highp (a quotient within 2.5 ulp, a root within 4.5)
+  static double nearest(double value) { return static_cast<double>(static_cast<float>(value)); }
   static constexpr double unit = 0x1p-24;
   static constexpr double quotient = 5 * unit;
   static constexpr double root = 9 * unit;
 };
 struct DoubleArithmetic { ///< IEEE; twice its unit, since the values that it is compared with are rounded like that too
+  static double nearest(double value) { return value; }
   static constexpr double unit = 0x1p-52;
   static constexpr double quotient = unit;
   static constexpr double root = unit;
@@ -28,11 +30,9 @@ struct Rounded {
   double error = 0;
 
   Rounded() = default;
-  /// A constant of the code, rounded to float unless it is one.
+  /// A constant of the code.
   explicit Rounded(double constant)
-      : value(constant),
-        error(static_cast<double>(static_cast<float>(constant)) == constant ? 0 : Machine::unit * std::fabs(constant)) {
-  }
+      : value(constant), error(Machine::nearest(constant) == constant ? 0 : Machine::unit * std::fabs(constant)) {}
   /// A result with the error that its operands give it, and its own.
   Rounded(double result, double passed_on, double own)
       : value(result), error(passed_on + own * (std::fabs(result) + passed_on)) {}

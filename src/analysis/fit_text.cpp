@@ -26,7 +26,7 @@ std::string polynomial_text(char name, bool two) { return std::string(1, name) +
 std::string formula(const FitResult& result) {
   const RationalForm& form = result.fit.form;
   const bool two = result.target.parameter.has_value();
-  const std::string scale = fit_digits(form.scale, result.single);
+  const std::string scale = shortest_digits(form.scale, result.single);
   std::string text = "Lambda = (1 - x)";
   if (form.power > 1) text += "^" + std::to_string(form.power);
   if (form.nx + form.ny > 0) text += " " + polynomial_text('n', two);
@@ -83,6 +83,20 @@ std::string accuracy_line(const FitTarget& target, const FitAccuracy& accuracy, 
 }
 
 } // namespace
+
+std::string fit_identifier(const std::string& name) {
+  std::string out;
+  for (const char letter : name) {
+    const bool upper = letter >= 'A' && letter <= 'Z';
+    const bool kept = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || upper;
+    if (kept)
+      out += upper ? static_cast<char>(letter - 'A' + 'a') : letter;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  while (out.ends_with('_')) out.pop_back();
+  return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "material_" + out : out;
+}
 
 std::vector<std::string> describe(const FitResult& result, double tolerance) {
   const FitTarget& target = result.target;
