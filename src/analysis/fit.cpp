@@ -192,7 +192,9 @@ void write_code(FitResult& result, const LambdaFit& fit, double tolerance, const
       for (const bool m_in_u : {false, true}) {
         const FitCode code = as_code(fit, result.target, n_in_u, m_in_u, single);
         const LambdaFit exact = without_rounding(code, result.target);
-        if (single && !(largest_error(exact, samples).error <= tolerance && sound(code, result.target))) continue;
+        if (!(single ? largest_error(exact, samples).error <= tolerance && sound(code, result.target)
+                     : exact.proved_sound()))
+          continue;
         const FitAccuracy in_float = accuracy_of(result.target, code, samples, true);
         if (found && !(in_float.relative.error < result.in_float.relative.error)) continue;
         found = true;
@@ -241,13 +243,15 @@ FitResult fit_lambda(const MaterialDescription& description, const FitOptions& o
   const FitTarget target = fit_target(description, options.fixed);
   const bool two = target.parameter.has_value();
   const FitSamples samples = two ? sample(target, 120, 25, options.threads) : sample(target, 800, 1, options.threads);
-  const FitSamples dense = two ? sample(target, 311, 73, options.threads) : sample(target, 4001, 1, options.threads);
+  const FitSamples dense = two ? sample(target, 311, 145, options.threads) : sample(target, 4001, 1, options.threads);
   const auto fail = [&](double reached) {
     throw AccuracyError(description.name, "the rational fits of Lambda reached a relative error of G1 of " +
                                               format_number(reached) + " (asked: " + format_number(options.tolerance) +
                                               ")");
   };
   auto result = cheapest(target, options.tolerance, samples, dense, options.threads);
+  if (result && result->in_double.relative.error > options.tolerance) // between the points of the fit
+    result = cheapest(target, 0.95 * options.tolerance, samples, dense, options.threads);
   if (!result) fail(best_error(samples, landmarks(samples, options.tolerance), two));
   if (!(result->in_double.relative.error <= options.tolerance)) fail(result->in_double.relative.error);
   const double left = options.tolerance - 1.2 * result->in_float.rounding;

@@ -16,7 +16,7 @@ struct FitResult {
   FitTarget target;
   FitCode code;          ///< what is written
   LambdaFit fit;         ///< what it is without rounding
-  FitAccuracy in_double; ///< of the code, on a grid that is denser than that of the fit
+  FitAccuracy in_double; ///< of the code; samples denser than those of the fit
   FitAccuracy in_float;
   bool single = true; ///< whether the coefficients are floats
 };
