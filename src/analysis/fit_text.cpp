@@ -53,7 +53,7 @@ std::string variables(const FitTarget& target) {
 }
 
 std::string domain(const FitTarget& target) {
-  std::string text = target.by_cosine() ? "cos(theta) in [0, 1]" : "unit vectors";
+  std::string text = target.by_cosine() ? "cos(theta) 0 or in [1e-12, 1]" : "unit vectors with c 0 or above 1e-12";
   if (target.alpha == FitAlpha::argument)
     text += target.by_cosine() ? ", alpha in [1e-06, 1e+06]" : ", alpha_x and alpha_y in [1e-06, 1e+06]";
   return text + (target.parameter ? ", " + target.parameter->domain() : "");
@@ -76,7 +76,7 @@ std::string accuracy_line(const FitTarget& target, const FitAccuracy& accuracy, 
   std::string text = std::string("in ") + (single ? "float: " : "double: ") + "G1 within a relative " +
                      bound_text(accuracy.relative.error) + (target.slopes.centred() ? "" : " from c and s on") +
                      ", at " + place(target, accuracy.relative.where);
-  if (accuracy.relative.error > tolerance) text += ", above what was asked: use double";
+  if (accuracy.relative.error > tolerance) text += ", above what was asked, which double alone keeps";
   return text + "; absolute " + bound_text(accuracy.absolute) + "; Lambda within " + bound_text(accuracy.lambda) +
          " where it is 0.01 or more; G2 within " + bound_text(error_of_g2(target, accuracy, unit)) +
          (target.factor.empty() ? "" : ", beside the error of phi");

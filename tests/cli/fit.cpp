@@ -19,21 +19,22 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  return {{"beckmann", R"({"type": "beckmann", "alpha": 0.4})", "", {"alpha"}, {{1e-3}, {0.1}, {0.7}, {3}}},
-          {"ggx", R"({"type": "ggx", "alpha": 0.4})", "", {"alpha"}, {{1e-3}, {0.1}, {0.7}, {3}}},
-          {"phong", R"({"type": "phong", "exponent": 20})", "", {"exponent"}, {{0}, {3}, {50}, {5000}}},
-          {"gtr",
-           R"({"type": "gtr", "alpha": 0.4, "gamma": 1.5})",
-           "",
-           {"alpha"},
-           {{0.01}, {0.06}, {0.2}, {0.6}, {1}, {1.5}}},
-          {"gtr_fixed", R"({"type": "gtr", "alpha": 0.4, "gamma": 1.5})", "--fixed", {}, {{}}},
-          {"student_t",
-           R"({"type": "student_t", "alpha": 0.4, "gamma": 3})",
-           "--tolerance 1e-3",
-           {"alpha", "gamma"},
-           {{0.1, 1.75}, {0.1, 2.5}, {1, 10}, {0.5, 1000}}},
-          {"velvet", R"({"type": "velvet", "alpha": 0.4})", "", {}, {{}}}};
+  return {
+      {"beckmann", R"({"type": "beckmann", "alpha": 0.4})", "", {"alpha"}, {{1e-6}, {1e-3}, {0.1}, {0.7}, {3}, {1e6}}},
+      {"ggx", R"({"type": "ggx", "alpha": 0.4})", "", {"alpha"}, {{1e-6}, {1e-3}, {0.1}, {0.7}, {3}, {1e6}}},
+      {"phong", R"({"type": "phong", "exponent": 20})", "", {"exponent"}, {{0}, {3}, {50}, {5000}}},
+      {"gtr",
+       R"({"type": "gtr", "alpha": 0.4, "gamma": 1.5})",
+       "",
+       {"alpha"},
+       {{0.01}, {0.06}, {0.2}, {0.6}, {1}, {1.5}}},
+      {"gtr_fixed", R"({"type": "gtr", "alpha": 0.4, "gamma": 1.5})", "--fixed", {}, {{}}},
+      {"student_t",
+       R"({"type": "student_t", "alpha": 0.4, "gamma": 3})",
+       "--tolerance 1e-3",
+       {"alpha", "gamma"},
+       {{0.1, 1.75}, {0.1, 2.5}, {1, 10}, {0.5, 1000}}},
+      {"velvet", R"({"type": "velvet", "alpha": 0.4})", "", {}, {{}}}};
 }
 
 FitOptions options(const Case& c) {
