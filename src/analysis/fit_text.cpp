@@ -76,7 +76,7 @@ std::string accuracy_line(const FitTarget& target, const FitAccuracy& accuracy, 
   std::string text = std::string("in ") + (single ? "float: " : "double: ") + "G1 within a relative " +
                      bound_text(accuracy.relative.error) + (target.slopes.centred() ? "" : " from c and s on") +
                      ", at " + place(target, accuracy.relative.where);
-  if (accuracy.relative.error > tolerance) text += ", above what was asked, which double alone keeps";
+  if (accuracy.relative.error > tolerance) text += ", above what was asked: sure in double alone";
   return text + "; absolute " + bound_text(accuracy.absolute) + "; Lambda within " + bound_text(accuracy.lambda) +
          " where it is 0.01 or more; G2 within " + bound_text(error_of_g2(target, accuracy, unit)) +
          (target.factor.empty() ? "" : ", beside the error of phi");
@@ -118,7 +118,7 @@ std::vector<std::string> describe(const FitResult& result, double tolerance) {
   lines.emplace_back("proved, in exact arithmetic: no pole, G1 in [0, 1] and increasing with " +
                      std::string(target.slopes.centred() ? "cos(theta)" : "a"));
   if (result.in_float.in_range)
-    lines.push_back("in float: G1 in [0, 1]; it may fall, from one direction to the next, by " +
+    lines.push_back("in float: G1 in [0, 1]; from one direction to the next, rounding lets it fall by less than " +
                     bound_text(2 * result.in_float.rounding) + " of itself");
   lines.push_back(
       "cost of G1: " + std::to_string(cost.operations) + " multiply-adds and " + std::to_string(cost.divisions) +

@@ -174,6 +174,11 @@ TEST_CASE("what fit writes") {
   CHECK(code.starts_with("// Beckmann: distribution beckmann, masking smith, shadowing height_correlated\n"));
   CHECK(code.find("#pragma once") != std::string::npos);
   CHECK(folder.list().empty());
+  const std::string strict = check_output(folder, "brdfplot fit configs/materials/beckmann.json --tolerance 1e-6");
+  CHECK(printed_bounds(strict, "double").g1 <= 1e-6);
+  CHECK(printed_bounds(strict, "float").g1 > 1e-6);
+  CHECK(strict.find("above what was asked: sure in double alone") != std::string::npos);
+  CHECK(code.find("above what was asked") == std::string::npos);
   const std::string summary = check_output(folder, "brdfplot fit configs/materials/ggx.json -o deep/out");
   CHECK(summary.find("exact: Lambda = (sqrt(1 + 1 / a^2) - 1) / 2") != std::string::npos);
   CHECK(folder.list("deep/out") ==
