@@ -44,6 +44,15 @@ void write_files(const FitResult& result, double tolerance, const std::string& f
   write_text_file(in_folder(folder, id + "_error.csv"), plot::to_csv(figure));
 }
 
+/// The fit; what the material has that cannot be fitted, is said of the file.
+FitResult fit_of(const FitFlags& flags, const MaterialDescription& material, const FitOptions& options) {
+  try {
+    return fit_lambda(material, options);
+  } catch (const MaterialError& error) {
+    throw InputError(flags.material + ": " + error.pointer(), error.reason());
+  }
+}
+
 int run(const FitFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "fit", "MATERIAL.json");
   const double tolerance = fit_tolerance(flags.tolerance);
@@ -51,7 +60,7 @@ int run(const FitFlags& flags, const Settings& settings) {
   FitResult result;
   run_tasks({{material.name,
               [&] {
-                result = fit_lambda(material, {tolerance, flags.fixed, settings.threads});
+                result = fit_of(flags, material, {tolerance, flags.fixed, settings.threads});
               }}},
             settings);
   if (flags.output.empty()) {

@@ -178,23 +178,47 @@ double best_error(const FitSamples& samples, const Landmarks& at, bool two) {
   return best;
 }
 
-/// Coefficients as floats.
-LambdaFit rounded(LambdaFit fit) {
-  const auto round = [](double& value) { value = static_cast<double>(static_cast<float>(value)); };
-  round(fit.form.scale);
-  std::ranges::for_each(fit.n.c, round);
-  std::ranges::for_each(fit.m.c, round);
-  return fit;
+/// Whether the numbers of the code are proved sound as double and as float have them.
+bool sound(const FitCode& code, const FitTarget& target) {
+  return without_rounding(code, target).proved_sound() && without_rounding(in_floats(code), target).proved_sound();
 }
 
-void measure(FitResult& result, const FitSamples& samples) {
-  result.relative = largest_error(result.fit, samples);
-  for (const FitSample& s : samples.samples) {
-    const double lambda = result.fit.lambda(s.a, s.y);
-    const double error = std::fabs(result.fit.relative_error(s.a, s.y, s.lambda));
-    result.absolute = std::max(result.absolute, error / (1 + s.lambda));
-    if (s.lambda >= 0.01) result.lambda_error = std::max(result.lambda_error, std::fabs(lambda / s.lambda - 1));
+/// The code of a fit in the basis in which float loses least; coefficients are floats where the fit then is within the
+/// tolerance and sound.
+void write_code(FitResult& result, const LambdaFit& fit, double tolerance, const FitSamples& samples) {
+  bool found = false;
+  for (const bool single : {true, false}) {
+    for (const bool n_in_u : {false, true}) {
+      for (const bool m_in_u : {false, true}) {
+        const FitCode code = as_code(fit, result.target, n_in_u, m_in_u, single);
+        const LambdaFit exact = without_rounding(code, result.target);
+        if (!(single ? largest_error(exact, samples).error <= tolerance && sound(code, result.target)
+                     : exact.proved_sound()))
+          continue;
+        const FitAccuracy in_float = accuracy_of(result.target, code, samples, true);
+        if (found && !(in_float.relative.error < result.in_float.relative.error)) continue;
+        found = true;
+        result.code = code;
+        result.fit = exact;
+        result.in_float = in_float;
+        result.single = single;
+      }
+    }
+    if (found) break;
   }
+  result.in_double = accuracy_of(result.target, result.code, samples, false);
+}
+
+/// The cheapest fit within `tolerance`, as code; nothing where there is none.
+std::optional<FitResult> cheapest(const FitTarget& target, double tolerance, const FitSamples& samples,
+                                  const FitSamples& dense, int threads) {
+  const bool two = target.parameter.has_value();
+  const double asked = tolerance * (two ? margin_of_two : margin_of_one);
+  const auto fit = two ? cheapest_of_two(asked, samples, threads) : cheapest_of_one(asked, samples, threads);
+  if (!fit) return std::nullopt;
+  FitResult result{.target = target, .code = {}, .fit = {}, .in_double = {}, .in_float = {}};
+  write_code(result, *fit, tolerance, dense);
+  return result;
 }
 
 } // namespace
@@ -216,27 +240,26 @@ std::optional<LambdaFit> fit_form(RationalForm form, double tolerance, const Fit
 }
 
 FitResult fit_lambda(const MaterialDescription& description, const FitOptions& options) {
-  FitResult result{.target = fit_target(description, options.fixed), .fit = {}, .relative = {}};
-  const bool two = result.target.parameter.has_value();
-  const FitSamples samples =
-      two ? sample(result.target, 120, 25, options.threads) : sample(result.target, 800, 1, options.threads);
-  const double tolerance = options.tolerance * (two ? margin_of_two : margin_of_one);
-  const auto fit =
-      two ? cheapest_of_two(tolerance, samples, options.threads) : cheapest_of_one(tolerance, samples, options.threads);
+  const FitTarget target = fit_target(description, options.fixed);
+  const bool two = target.parameter.has_value();
+  const FitSamples samples = two ? sample(target, 120, 25, options.threads) : sample(target, 800, 1, options.threads);
+  const FitSamples dense = two ? sample(target, 311, 145, options.threads) : sample(target, 4001, 1, options.threads);
   const auto fail = [&](double reached) {
     throw AccuracyError(description.name, "the rational fits of Lambda reached a relative error of G1 of " +
                                               format_number(reached) + " (asked: " + format_number(options.tolerance) +
                                               ")");
   };
-  if (!fit) fail(best_error(samples, landmarks(samples, tolerance), two));
-  const FitSamples dense =
-      two ? sample(result.target, 311, 73, options.threads) : sample(result.target, 4001, 1, options.threads);
-  result.fit = rounded(*fit);
-  result.single = largest_error(result.fit, dense).error <= options.tolerance && result.fit.proved_sound();
-  if (!result.single) result.fit = *fit;
-  measure(result, dense);
-  if (!(result.relative.error <= options.tolerance)) fail(result.relative.error);
-  return result;
+  auto result = cheapest(target, options.tolerance, samples, dense, options.threads);
+  if (result && result->in_double.relative.error > options.tolerance) // between the points of the fit
+    result = cheapest(target, 0.95 * options.tolerance, samples, dense, options.threads);
+  if (!result) fail(best_error(samples, landmarks(samples, options.tolerance), two));
+  if (!(result->in_double.relative.error <= options.tolerance)) fail(result->in_double.relative.error);
+  const double left = options.tolerance - 1.2 * result->in_float.rounding;
+  if (result->in_float.relative.error > options.tolerance && left >= 0.5 * options.tolerance) {
+    const auto stricter = cheapest(target, left, samples, dense, options.threads);
+    if (stricter && stricter->in_float.relative.error <= options.tolerance) result = stricter;
+  }
+  return *result;
 }
 
 } // namespace brdfplot

@@ -2,7 +2,7 @@
 /// The cheapest rational fit of Smith's Lambda whose masking is as accurate as asked.
 #pragma once
 
-#include "analysis/fit_target.hpp"
+#include "analysis/fit_accuracy.hpp"
 
 namespace brdfplot {
 
@@ -14,16 +14,17 @@ struct FitOptions {
 
 struct FitResult {
   FitTarget target;
-  LambdaFit fit;           ///< coefficients rounded to float where the tolerance allows
-  FitError relative;       ///< largest relative error of G1 over the domain, and where
-  double absolute = 0;     ///< largest error of G1
-  double lambda_error = 0; ///< largest relative error of Lambda where Lambda >= 0.01
-  bool single = true;      ///< whether the coefficients are floats
+  FitCode code;          ///< what is written
+  LambdaFit fit;         ///< what it is without rounding
+  FitAccuracy in_double; ///< of the code; samples denser than those of the fit
+  FitAccuracy in_float;
+  bool single = true; ///< whether the coefficients are floats
 };
 
 /// A cheap form of RationalForm within the tolerance: minimax in the relative error of G1 over all a in [0, infinity]
 /// and the domain of the parameter, proved to have no pole, G1 in [0, 1] and G1 increasing with cos theta
-/// (LambdaFit::proved_sound). Errors are measured on a grid that is denser than that of the fit.
+/// (LambdaFit::proved_sound). The tolerance holds in double, and in float too where a form does that is little dearer:
+/// where rounding takes more than the fit leaves, it is fitted again to what rounding leaves, if that is half at least.
 /// In one variable forms are tried in the order of their cost, and of the first cost at which any is within the
 /// tolerance the most accurate is returned: powers 1, 2, 3, 4, 6 and 8, degrees up to 6, with and without a cut, the
 /// scale optimized. In two the search is greedy: of the first equal degrees that are within the tolerance, degrees are

@@ -21,7 +21,8 @@ double RationalForm::vanishing(double a) const {
 }
 
 FitCost cost_of(const RationalForm& form) {
-  FitCost cost{5, 1}; // d = max(c, scale s + tiny) or c + (scale s + tiny); 1 / d; x = c / d; 1 - x = (d - c) / d
+  // k = scale s + tiny; r = max(c, k) or c + k; 1 / r; x = c / r; 1 - x = (r - c) / r or k / r
+  FitCost cost{form.cut ? 5 : 4, 1};
   cost.operations += products_of_power(form.power);
   if (form.nx + form.ny > 0) cost.operations += 1 + horner(form.nx, form.ny);
   cost.operations += 1 + horner(form.mx, form.my); // x m

@@ -117,6 +117,14 @@ Polynomial derivative_x(const Polynomial& p) {
   return out;
 }
 
+Polynomial mirrored_x(const Polynomial& p) {
+  Polynomial out = Polynomial::zero(p.dx, p.dy);
+  for (std::size_t j = 0; j <= p.dy; ++j)
+    for (std::size_t i = 0; i <= p.dx; ++i)
+      for (std::size_t k = 0; k <= i; ++k) out.at(k, j) += (k % 2 ? -1 : 1) * binomial(i, k) * p.at(i, j);
+  return out;
+}
+
 void bernstein(std::size_t degree, double x, double* b) {
   b[0] = 1;
   for (std::size_t n = 1; n <= degree; ++n) {

@@ -25,6 +25,9 @@ Polynomial add(const Polynomial& p, const Polynomial& q, double factor = 1);
 /// d/dx.
 Polynomial derivative_x(const Polynomial& p);
 
+/// p as a polynomial in 1 - x.
+Polynomial mirrored_x(const Polynomial& p);
+
 /// The Bernstein polynomials of one degree at x, b[k] = C(n, k) x^k (1 - x)^(n - k): the basis in which fits are
 /// computed, since its values are in [0, 1] and nearly independent.
 void bernstein(std::size_t degree, double x, double* b);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <regex>
 
 namespace brdfplot {
 
@@ -17,14 +18,24 @@ struct Swept {
   std::string type;
   FitParameter parameter;
   FitAlpha alpha;
+  double (*given)(const Distribution& distribution); ///< the parameter of one
 };
 
 /// The ends of y, 0 and 1, are those of the domain.
 std::optional<Swept> swept_parameter(const std::string& type) {
   const std::vector<Swept> all = {
-      {"phong", {"exponent", 0, infinity, true, 2, 0, 2}, FitAlpha::root_of_y},
-      {"gtr", {"alpha", 0.05, 1, false, 0, -0.05 / 0.95, 1 / 0.95}, FitAlpha::parameter},
-      {"student_t", {"gamma", 1.75, infinity, true, -1, 0, 0.75}, FitAlpha::argument},
+      {"phong",
+       {"exponent", 0, infinity, true, 2, 0, 2},
+       FitAlpha::root_of_y,
+       [](const Distribution& d) { return std::get<Phong>(d).profile.exponent; }},
+      {"gtr",
+       {"alpha", 0.05, 1, false, 0, -0.05 / 0.95, 1 / 0.95},
+       FitAlpha::parameter,
+       [](const Distribution& d) { return std::get<Gtr>(d).profile.alpha; }},
+      {"student_t",
+       {"gamma", 1.75, infinity, true, -1, 0, 0.75},
+       FitAlpha::argument,
+       [](const Distribution& d) { return std::get<StudentT>(d).shape.gamma; }},
   };
   const auto found = std::ranges::find(all, type, &Swept::type);
   return found == all.end() ? std::nullopt : std::optional<Swept>(*found);
@@ -43,11 +54,66 @@ Material unit_material(const MaterialDescription& description, bool shape_invari
   return material;
 }
 
-void require_isotropic(const Material& material, const std::string& where) {
-  const SlopeMap& slopes = material.slopes();
-  if (slopes.centred() && slopes.alpha_x == slopes.alpha_y && slopes.correlation == 0) return;
-  throw InputError(where + ": /distribution", "its Lambda depends on the azimuth by more than a roughness; accepted: "
-                                              "isotropic ones, and shape-invariant ones of any anisotropy");
+void require_lambda(const MaterialDescription& description, const Material& material, bool shape_invariant) {
+  if (!material.has_lambda())
+    throw MaterialError("/masking/type", "found \"" + description.masking.type +
+                                             "\", which has no Lambda to fit; accepted: a masking function that has");
+  if (!shape_invariant && !(material.slopes().centred() && material.slopes().alpha_x == material.slopes().alpha_y &&
+                            material.slopes().correlation == 0))
+    throw MaterialError("/distribution", "its Lambda depends on the azimuth by more than a roughness; accepted by fit: "
+                                         "isotropic ones, and shape-invariant ones of any anisotropy and slope");
+}
+
+/// A formula of the user must be a function of what the fit is one of.
+void require_formula(const MaterialDescription& description, bool shape_invariant) {
+  if (description.masking.type != "custom") return;
+  const std::string text = description.masking.values.text("lambda");
+  static const std::regex word("[A-Za-z_][A-Za-z_0-9]*");
+  const std::vector<std::string> of_direction =
+      shape_invariant ? std::vector<std::string>{"theta", "phi",     "cos_theta", "tan_theta",
+                                                 "alpha", "alpha_x", "alpha_y",   "correlation"}
+                      : std::vector<std::string>{"phi"};
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), word); at != std::sregex_iterator(); ++at)
+    if (std::ranges::find(of_direction, at->str()) != of_direction.end())
+      throw MaterialError("/masking/lambda", "found a formula of \"" + at->str() + "\"; accepted by fit: " +
+                                                 (shape_invariant ? "one of \"a\" alone" : "one without \"phi\""));
+}
+
+/// The value that the file gives must be one that the code can be called with.
+void require_in_domain(const MaterialDescription& description, const Swept& swept, const Distribution& distribution) {
+  const FitParameter& parameter = swept.parameter;
+  const double value = swept.given(distribution);
+  if (parameter.contains(value)) return;
+  const Values& given = description.distribution.values;
+  const std::vector<std::string> keys = {parameter.key, "alpha", "roughness"};
+  const std::string key = *std::ranges::find_if(keys, [&](const std::string& k) { return given.has(k); });
+  const std::string found = format_number(given.number(key));
+  throw MaterialError("/distribution/" + key,
+                      "found " + found +
+                          (key == parameter.key ? "" : " (" + parameter.key + " = " + format_number(value) + ")") +
+                          "; accepted by fit: " + parameter.domain() +
+                          ", since its code takes every such value as an argument, or any with --fixed, which fits "
+                          "this one value");
+}
+
+/// The form of shadowing, of which the code must know how to write it.
+void set_shadowing(const MaterialDescription& description, FitTarget& target) {
+  if (!description.shadowing) return;
+  target.shadowing = description.shadowing->type;
+  const std::vector<std::string> with_factor = {"direction_correlated", "height_direction_correlated"};
+  const std::vector<std::string> without = {"none", "separable", "minimum", "height_correlated"};
+  const auto in = [&](const auto& names) { return std::ranges::find(names, target.shadowing) != names.end(); };
+  if (in(without)) return;
+  if (!in(with_factor))
+    throw MaterialError("/shadowing/type",
+                        "found \"" + target.shadowing +
+                            "\", of which fit writes no code; accepted by fit: none, separable, minimum, "
+                            "height_correlated, direction_correlated, height_direction_correlated");
+  target.factor = description.shadowing->values.text("lambda");
+  if (target.factor != "ashikhmin" && target.factor != "ginneken")
+    throw MaterialError("/shadowing/lambda",
+                        "found \"" + target.factor +
+                            "\", of which fit writes no code; accepted by fit: ashikhmin, ginneken");
 }
 
 /// Where Lambda is 1, about: the a around which samples are spread.
@@ -79,6 +145,11 @@ std::string constants_of(const ModelChoice& distribution, const FitTarget& targe
 
 } // namespace
 
+std::string FitParameter::domain() const {
+  return key + (to < infinity ? " in [" + format_number(from) + ", " + format_number(to) + "]"
+                              : " >= " + format_number(from));
+}
+
 double FitParameter::y(double value) const { return offset + factor * (reciprocal ? 1 / (value + shift) : value); }
 
 double FitParameter::value(double y) const {
@@ -95,13 +166,14 @@ FitTarget fit_target(const MaterialDescription& description, bool fixed) {
                    .masking = description.masking.type,
                    .lambda_at = {}};
   const Material given = build(description);
-  if (!given.has_lambda())
-    throw InputError(description.name + ": /masking/type",
-                     "found \"" + target.masking + "\", which has no Lambda; accepted: a masking function that has");
   const bool shape_invariant = std::visit([](const auto& d) { return d.shape_invariant; }, given.distribution);
-  if (!shape_invariant) require_isotropic(given, description.name);
+  require_lambda(description, given, shape_invariant);
+  require_formula(description, shape_invariant);
+  set_shadowing(description, target);
+  target.slopes = given.slopes();
   const auto swept = fixed ? std::nullopt : swept_parameter(target.type);
   if (swept) {
+    require_in_domain(description, *swept, given.distribution);
     target.parameter = swept->parameter;
     target.alpha = swept->alpha;
     target.constants = constants_of(description.distribution, target);

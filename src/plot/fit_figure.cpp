@@ -35,7 +35,11 @@ Figure fit_error_figure(const FitResult& result, double tolerance, const std::st
   const double from = scale * 1e-3;
   const double to = scale * (result.fit.form.cut ? 10 : 1e3);
   Panel panel;
-  panel.x = {.label = "a = cot θ / α", .column = "a", .scale = Scale::logarithmic, .from = from, .to = to};
+  panel.x = {.label = result.target.by_cosine() ? "a = cot θ / α" : "a = c / s",
+             .column = "a",
+             .scale = Scale::logarithmic,
+             .from = from,
+             .to = to};
   panel.y = {
       .label = "relative error of G_1", .column = "relative_error", .from = -1.5 * tolerance, .to = 1.5 * tolerance};
   const auto& parameter = result.target.parameter;
@@ -53,7 +57,8 @@ Figure fit_error_figure(const FitResult& result, double tolerance, const std::st
   Figure figure;
   figure.id = id;
   figure.title = "Error of the rational fit of Smith's G_1: " + result.target.name;
-  figure.description = "Relative error of G1 = 1 / (1 + Lambda) against a, over all view directions.";
+  figure.description =
+      "Relative error of G1 = 1 / (1 + Lambda), without rounding, against a, over all view directions.";
   figure.panels.push_back(panel);
   return figure;
 }
