@@ -189,17 +189,18 @@ Switch elevation(const SlopeMap& map, const Direction& o) {
 /// The sign of G1(i) - G1(o), of what masks in whatever way.
 Switch masking_difference(const Material& material, const Direction& o) {
   return {[&material, o](const std::vector<Direction>& h, std::vector<double>& out) {
-    Rows viewer(o), light(o);
-    std::vector<double> of_viewer(h.size());
-    evaluate(material, Quantity::g1, viewer.fill(h.size(), false, true, [&](std::size_t k) { return h[k]; }),
-             of_viewer.data());
-    Batch batch = light.fill(h.size(), true, false, [&](std::size_t k) { return reflected(o, h[k]); });
-    batch.o = batch.i;
-    batch.i = {};
-    Rows normals(o);
-    batch.m = normals.fill(h.size(), false, true, [&](std::size_t k) { return h[k]; }).m;
-    evaluate(material, Quantity::g1, batch, out.data());
-    for (std::size_t k = 0; k < h.size(); ++k) out[k] -= of_viewer[k];
+    const std::size_t n = h.size();
+    Columns3 normals, viewer, light;
+    for (Columns3* columns : {&normals, &viewer, &light}) columns->resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      normals.set(k, h[k]);
+      viewer.set(k, o);
+      light.set(k, reflected(o, h[k]));
+    }
+    std::vector<double> of_viewer(n);
+    evaluate(material, Quantity::g1, {n, viewer.view(), {}, normals.view()}, of_viewer.data());
+    evaluate(material, Quantity::g1, {n, light.view(), {}, normals.view()}, out.data());
+    for (std::size_t k = 0; k < n; ++k) out[k] -= of_viewer[k];
   }};
 }
 
