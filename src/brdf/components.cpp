@@ -35,6 +35,9 @@ std::vector<Component> components(const Distribution& distribution) {
           for (const auto& [weight, profile] : d.profile.parts())
             if (weight > 0)
               all.push_back({weight, D{{.alpha_x = profile.width(), .alpha_y = profile.width()}, profile}});
+        } else if constexpr (requires { d.profile.typical_slope(); }) {
+          const double slope = d.profile.typical_slope();
+          all.push_back({1, D{{.alpha_x = slope, .alpha_y = slope}, d.profile}});
         } else {
           all.push_back({1, d});
         }

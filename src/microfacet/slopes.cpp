@@ -61,14 +61,16 @@ SlopeMap SlopeMap::from(const Values& values) {
 }
 
 std::optional<ParameterError> SlopeMap::problem() const {
-  const std::string both = "alpha_x = " + format_number(alpha_x) + " with alpha_y = " + format_number(alpha_y) + ": ";
+  const auto of_both = [&](const std::string& what) {
+    return ParameterError{"", "alpha_x = " + format_number(alpha_x) + " with alpha_y = " + format_number(alpha_y) +
+                                  ": found " + what};
+  };
   for (const double alpha : {alpha_x, alpha_y})
-    if (!roughnesses.contains(alpha))
-      return ParameterError{"", both + "found " + format_number(alpha) + ", accepted: " + roughnesses.describe()};
+    if (!roughnesses.contains(alpha)) return of_both(format_number(alpha) + ", accepted: " + roughnesses.describe());
   const double ratio = std::max(alpha_x / alpha_y, alpha_y / alpha_x);
   if (ratio <= largest_ratio * (1 + 1e-12)) return std::nullopt;
-  return ParameterError{"", both + "found a ratio of " + format_number(ratio) + ", accepted: a number in [1, " +
-                                format_number(largest_ratio) + "]"};
+  return of_both("a ratio of " + format_number(ratio) + ", accepted: a number in [1, " + format_number(largest_ratio) +
+                 "]");
 }
 
 std::vector<ParameterSpec> isotropic_roughness(const Bounds& bounds, const std::string& doc) {

@@ -203,7 +203,6 @@ TEST_CASE("domains: beyond, a line names the key, the value and what is accepted
         std::tuple("exponential_power", "p", 1e308), std::tuple("velvet", "amplitude", 1e308)})
     CHECK(refused(distribution(type, {{"alpha", 0.5}, {key, value}})));
   CHECK(refused(distribution("phong", {{"exponent", 1e308}})));
-  CHECK(refused(distribution("gtr", {{"alpha", 1e-5}, {"gamma", 1.5}})));
   CHECK(refused(mixture({{1e308, describe("ggx", 0.1).distribution}, {1e308, describe("ggx", 0.2).distribution}})));
   for (const auto& [type, key, value] :
        {std::tuple("dielectric", "eta", 1e308), std::tuple("dielectric", "eta", 1e-308),

@@ -65,6 +65,9 @@ struct Samples {
     for (const double t2 : t2s) values.push_back(checked(formula, t2));
   }
   double mass_at(std::size_t k) const { return t2s[k] * values[k]; } ///< per unit of ln t2
+  double mass_before(std::size_t k) const {
+    return 0.5 * (mass_at(k - 1) + mass_at(k)) * std::log(t2s[k] / t2s[k - 1]);
+  }
 };
 
 /// Where the mass per unit of ln t2 has its peaks, the `most` highest, and samples to both sides, each three times as
@@ -88,6 +91,18 @@ std::vector<double> peaks(const Samples& samples, std::size_t most = 20) {
   std::ranges::sort(cuts);
   cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
   return cuts;
+}
+
+/// Integrals over slopes look around alpha.
+void require_scale(const Samples& samples) {
+  double whole = 0, sum = 0;
+  for (std::size_t k = 1; k < samples.t2s.size(); ++k) whole += samples.mass_before(k);
+  std::size_t median = 0;
+  while (++median + 1 < samples.t2s.size() && sum < 0.5 * whole) sum += samples.mass_before(median);
+  const double t2 = samples.t2s[median];
+  if (!(t2 >= 1e-4 && t2 <= 1e4))
+    throw ShapeProblem{"half of the shape is within t2 = " + format_number(std::pow(10, std::round(std::log10(t2)))) +
+                       "; accepted: a number in [1e-04, 10000], and alpha for the scale"};
 }
 
 /// By which power f falls at last, f ~ t2^-power; infinite where nothing is left.
@@ -138,9 +153,11 @@ double mass(const Formula& formula, const std::vector<double>& peaks, double pow
 CustomShape make(const Formula& formula) {
   CustomShape::Tail tail;
   DensityHints hints;
-  hints.cuts = peaks(Samples(formula));
+  const Samples samples(formula);
+  hints.cuts = peaks(samples);
   hints.power = tail.power = falling_power(formula);
   const double scale = std::numbers::inv_pi / mass(formula, hints.cuts, tail.power);
+  require_scale(samples);
   tail.log_density = std::log(scale * checked(formula, far));
   const auto log_density = [=](double t2) {
     if (t2 > far) return tail.at(std::log(t2));

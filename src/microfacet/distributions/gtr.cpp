@@ -51,7 +51,7 @@ ModelSpec GtrProfile::spec() {
                  .doc =
                      "generalized Trowbridge-Reitz; masking in closed form for gamma = 1, 2, 3, 4, else by quadrature",
                  .source = "Burley 2012; Akenine-Moller et al. 2018, Eqs. 9.46-9.47; Dimov 2015",
-                 .parameters = isotropic_roughness({.min = 1e-4, .max = 1e6}, "roughness"),
+                 .parameters = isotropic_roughness({.min = 1e-6, .max = 1e6}, "roughness"),
                  .alternatives = {{"alpha"}, {"roughness"}}};
   spec.parameters.push_back(
       {.key = "gamma", .bounds = {.min = 0, .max = 1e3, .open_min = true}, .doc = "exponent of the tail; 2 is GGX"});
@@ -72,6 +72,16 @@ double GtrLobe::log_density(double sin2, double z2) const {
 }
 
 double GtrLobe::log_p22(double r2) const { return log_density(1 / (1 + 1 / r2), 1 / (1 + r2)) - 2 * std::log1p(r2); }
+
+double GtrLobe::median_slope() const {
+  const double log_alpha2 = 2 * std::log(alpha);
+  if (log_alpha2 == 0) return 1;
+  // v^(1 - gamma) is the mean of what it is at both ends, alpha^(2 (1 - gamma)) and 1.
+  const double x = (1 - gamma) * log_alpha2;
+  const double log_mean = std::max(x, 0.0) + std::log(0.5 + 0.5 * std::exp(-std::fabs(x)));
+  const double log_v = std::fabs(x) < 1e-5 ? (0.5 + x / 8) * log_alpha2 : log_mean / (1 - gamma);
+  return alpha * std::sqrt(-std::expm1(log_v - log_alpha2) / std::expm1(log_v));
+}
 
 GtrProfile GtrProfile::from(const Values& values) {
   const GtrLobe lobe(alpha_from(values), values.number("gamma"));
