@@ -162,11 +162,13 @@ TEST_CASE("domains: the area of what is seen is there at the ends, or an error s
   Random random(22, 1);
   constexpr double tolerance = 1e-6;
   for (const ModelSpec& spec : specs_of<DistributionList<>>())
-    for (int k = 0; k < 10; ++k) {
+    for (int k = 0; k < 40; ++k) {
       MaterialDescription description = draw(spec, random);
       if (spec.find("mean_slope") != nullptr) description.distribution.values.set("mean_slope", Vec2{0, 0});
       // Below 1.55 slopes of 1e95, where integrals end, still have a share in the mean slope.
       if (spec.type == "student_t" || spec.type == "phong" || refused(description)) continue;
+      // The slopes of p = 0.1 are around 1e5 alpha, which is not where integrals look.
+      if (spec.type == "exponential_power" && description.distribution.values.number("p") < 0.2) continue;
       const Material m = build(description);
       const Direction o = from_angles(1.1, 0.3);
       INFO(description.name);
