@@ -27,11 +27,20 @@ std::vector<Component> components(const Distribution& distribution) {
   return std::visit(
       []<class D>(const D& d) {
         std::vector<Component> all;
-        if constexpr (requires { d.parts; })
+        if constexpr (requires { d.parts; }) {
           for (const auto& part : d.parts)
-            std::visit([&](const auto& of_part) { all.push_back({part.weight, of_part}); }, part.distribution);
-        else
+            for (const Component& one : std::visit([](const auto& of) { return components(of); }, part.distribution))
+              all.push_back({part.weight * one.weight, one.distribution});
+        } else if constexpr (requires { d.profile.parts(); }) {
+          for (const auto& [weight, profile] : d.profile.parts())
+            if (weight > 0)
+              all.push_back({weight, D{{.alpha_x = profile.width(), .alpha_y = profile.width()}, profile}});
+        } else if constexpr (requires { d.profile.typical_slope(); }) {
+          const double slope = d.profile.typical_slope();
+          all.push_back({1, D{{.alpha_x = slope, .alpha_y = slope}, d.profile}});
+        } else {
           all.push_back({1, d});
+        }
         return all;
       },
       distribution);

@@ -19,9 +19,9 @@ struct Component {
   void densities(const std::vector<Direction>& omega_m, std::vector<double>& out) const;
 };
 
-/// What a distribution is a sum of: the parts of a mixture, else itself. An integral over the normals is to be taken
-/// over each of them in its own frame: each is narrow in one place only, which that frame knows, and no rule sees the
-/// peak of a smooth part from the frame of a rough one.
+/// What a distribution is a sum of: the parts of a mixture, the two of velvet, else itself; with slopes of the size
+/// that it has. An integral over the normals is to be taken over each of them in its own frame: each is narrow in one
+/// place only, which that frame knows, and no rule sees the peak of a smooth part from the frame of a rough one.
 std::vector<Component> components(const Distribution& distribution);
 
 } // namespace brdfplot

@@ -16,6 +16,13 @@ constexpr double smallest = 1e-300;
 constexpr double narrowest = 1e-3; ///< of the intervals in x = ln(1 + a)
 constexpr std::size_t node_count = 21;
 
+struct Quadrature {
+  LogDensity log_density;
+  DensityHints hints;
+
+  double operator()(double a) const { return a_lambda_by_quadrature(log_density, a, hints); }
+};
+
 struct Piece {
   double from = 0;
   double to = 0;
@@ -49,11 +56,11 @@ const std::array<std::array<double, node_count>, node_count>& chebyshev() {
 }
 
 /// Interpolates at the Chebyshev points of `piece`; whether the last coefficients are small enough.
-bool fit(const LogDensity& log_density, Piece& piece) {
+bool fit(const Quadrature& quadrature, Piece& piece) {
   std::array<double, node_count> y;
   for (std::size_t k = 0; k < node_count; ++k) {
     const double x = 0.5 * (piece.from + piece.to) + 0.5 * (piece.to - piece.from) * chebyshev()[1][k];
-    const double value = a_lambda_by_quadrature(log_density, std::expm1(x));
+    const double value = quadrature(std::expm1(x));
     if (!(value > smallest)) return false;
     y[k] = std::log(value);
   }
@@ -68,17 +75,17 @@ bool fit(const LogDensity& log_density, Piece& piece) {
   return tail < std::max(2e-12, 1e-15 * std::fabs(piece.coefficients[0]));
 }
 
-void add(const LogDensity& log_density, double from, double to, std::vector<Piece>& pieces) {
+void add(const Quadrature& quadrature, double from, double to, std::vector<Piece>& pieces) {
   Piece piece{from, to};
-  piece.resolved = fit(log_density, piece);
-  if (!piece.resolved) piece.vanishes = !(a_lambda_by_quadrature(log_density, std::expm1(from)) > smallest);
+  piece.resolved = fit(quadrature, piece);
+  if (!piece.resolved) piece.vanishes = !(quadrature(std::expm1(from)) > smallest);
   if (piece.resolved || piece.vanishes || to - from < narrowest) {
     pieces.push_back(piece);
     return;
   }
   const double middle = 0.5 * (from + to);
-  add(log_density, from, middle, pieces);
-  add(log_density, middle, to, pieces);
+  add(quadrature, from, middle, pieces);
+  add(quadrature, middle, to, pieces);
 }
 
 } // namespace
@@ -86,7 +93,7 @@ void add(const LogDensity& log_density, double from, double to, std::vector<Piec
 /// The range of x in blocks, each of which is made whole at its first use.
 class ALambdaTable::Blocks {
 public:
-  explicit Blocks(LogDensity log_density) : log_density_(std::move(log_density)) {}
+  explicit Blocks(Quadrature quadrature) : quadrature_(std::move(quadrature)) {}
 
   double operator()(double a) {
     const double x = std::log1p(a);
@@ -97,7 +104,7 @@ public:
       if (piece.resolved) return piece(x);
       if (piece.vanishes) return 0;
     }
-    return a_lambda_by_quadrature(log_density_, a);
+    return quadrature_(a);
   }
 
 private:
@@ -108,7 +115,7 @@ private:
       const std::lock_guard lock(mutex_);
       if (!ready_[block].load(std::memory_order_relaxed)) {
         std::vector<Piece> pieces;
-        add(log_density_, starts[block], starts[block + 1], pieces);
+        add(quadrature_, starts[block], starts[block + 1], pieces);
         pieces_[block] = std::move(pieces);
         ready_[block].store(true, std::memory_order_release);
       }
@@ -116,13 +123,14 @@ private:
     return pieces_[block];
   }
 
-  LogDensity log_density_;
+  Quadrature quadrature_;
   std::array<std::vector<Piece>, starts.size()> pieces_;
   std::array<std::atomic<bool>, starts.size()> ready_{};
   std::mutex mutex_;
 };
 
-ALambdaTable::ALambdaTable(LogDensity log_density) : blocks_(std::make_shared<Blocks>(std::move(log_density))) {}
+ALambdaTable::ALambdaTable(LogDensity log_density, DensityHints hints)
+    : blocks_(std::make_shared<Blocks>(Quadrature{std::move(log_density), std::move(hints)})) {}
 
 double ALambdaTable::operator()(double a) const { return (*blocks_)(a); }
 

@@ -7,8 +7,9 @@ namespace brdfplot {
 
 namespace {
 
-const Bounds positive{.min = 0, .open_min = true};
-const Bounds non_negative{.min = 0};
+const Bounds indices{.min = 1e-6, .max = 1e6};
+const Bounds absorptions{.min = 0, .max = 1e6};
+const Bounds exponents{.min = 1e-3, .max = 1e3};
 const Bounds unit_interval{.min = 0, .max = 1};
 
 double square(double x) { return x * x; }
@@ -60,7 +61,7 @@ ModelSpec SchlickFresnel::spec() {
                           .bounds = unit_interval,
                           .fallback = 1.0,
                           .doc = "reflectance at grazing"},
-                         {.key = "exponent", .bounds = positive, .fallback = 5.0, .doc = "how late it rises"}}};
+                         {.key = "exponent", .bounds = exponents, .fallback = 5.0, .doc = "how late it rises"}}};
 }
 
 SchlickFresnel SchlickFresnel::from(const Values& values) {
@@ -80,7 +81,7 @@ ModelSpec DielectricFresnel::spec() {
           .source = "Fresnel; Walter et al. 2007, Eq. 22",
           .parameters = {{.key = "eta",
                           .kind = ParameterKind::number_or_rgb,
-                          .bounds = positive,
+                          .bounds = indices,
                           .doc = "relative index of refraction"}}};
 }
 
@@ -102,11 +103,11 @@ ModelSpec ConductorFresnel::spec() {
           .source = "Fresnel; Born and Wolf 1999, section 14.2",
           .parameters = {{.key = "eta",
                           .kind = ParameterKind::number_or_rgb,
-                          .bounds = positive,
+                          .bounds = indices,
                           .doc = "real part of the relative index"},
                          {.key = "k",
                           .kind = ParameterKind::number_or_rgb,
-                          .bounds = non_negative,
+                          .bounds = absorptions,
                           .doc = "imaginary part of the relative index"}}};
 }
 

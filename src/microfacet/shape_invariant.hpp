@@ -30,15 +30,17 @@ struct ShapeInvariant {
     spec.alternatives = SlopeMap::alternatives();
     return spec;
   }
-  static auto from(const Values& values) {
+  static Made<ShapeInvariant> from(const Values& values) {
+    const SlopeMap map = SlopeMap::from(values);
+    if (auto error = map.problem()) return std::move(*error);
     if constexpr (requires { std::get<ParameterError>(Shape::from(values)); }) {
       auto made = Shape::from(values);
-      if (auto* error = std::get_if<ParameterError>(&made)) return Made<ShapeInvariant>(std::move(*error));
-      return Made<ShapeInvariant>(ShapeInvariant{SlopeMap::from(values), std::get<Shape>(std::move(made))});
+      if (auto* error = std::get_if<ParameterError>(&made)) return std::move(*error);
+      return ShapeInvariant{map, std::get<Shape>(std::move(made))};
     } else if constexpr (requires { Shape::from(values); }) {
-      return ShapeInvariant{SlopeMap::from(values), Shape::from(values)};
+      return ShapeInvariant{map, Shape::from(values)};
     } else {
-      return ShapeInvariant{SlopeMap::from(values), Shape{}};
+      return ShapeInvariant{map, Shape{}};
     }
   }
   static constexpr bool shape_invariant = true;

@@ -1,19 +1,27 @@
 #include "microfacet/slopes.hpp"
 
+#include "math/number.hpp"
+
+#include <algorithm>
+
 namespace brdfplot {
 
 namespace {
+
+/// Of one axis. Kernels hold their bounds from 1e-6 on; beyond 1e6 all facets stand upright to 1e-6 rad.
+const Bounds roughnesses{.min = 1e-6, .max = 1e6};
+constexpr double largest_ratio = 1e6; ///< of the two axes
 
 constexpr const char* roughness_doc = "r of alpha = r^2 (Burley 2012)";
 
 } // namespace
 
 std::vector<ParameterSpec> SlopeMap::parameters() {
-  const Bounds positive{.min = 0, .open_min = true};
-  return {{.key = "alpha", .bounds = positive, .doc = "roughness of an isotropic surface"},
-          {.key = "alpha_x", .bounds = positive, .doc = "roughness along x"},
-          {.key = "alpha_y", .bounds = positive, .doc = "roughness along y"},
-          {.key = "roughness", .bounds = positive, .doc = roughness_doc},
+  const Bounds roots{.min = std::sqrt(roughnesses.min), .max = std::sqrt(roughnesses.max)};
+  return {{.key = "alpha", .bounds = roughnesses, .doc = "roughness of an isotropic surface"},
+          {.key = "alpha_x", .bounds = roughnesses, .doc = "roughness along x"},
+          {.key = "alpha_y", .bounds = roughnesses, .doc = "roughness along y"},
+          {.key = "roughness", .bounds = roots, .doc = roughness_doc},
           {.key = "disney_anisotropy",
            .bounds = {.min = 0, .max = 1},
            .doc = "k of alpha_x = roughness^2 / q, alpha_y = roughness^2 q, q = sqrt(1 - 0.9 k) (Burley 2012; "
@@ -28,6 +36,7 @@ std::vector<ParameterSpec> SlopeMap::parameters() {
            .doc = "correlation r_xy of the slopes (Heitz 2014, Eq. 88)"},
           {.key = "mean_slope",
            .kind = ParameterKind::vec2,
+           .bounds = {.min = -1e3, .max = 1e3},
            .fallback = Vec2{0, 0},
            .doc = "[x, y] slope of the mesosurface (Heitz 2014, Eq. 94)"}};
 }
@@ -49,6 +58,19 @@ SlopeMap SlopeMap::from(const Values& values) {
   map.mean_x = mean[0];
   map.mean_y = mean[1];
   return map;
+}
+
+std::optional<ParameterError> SlopeMap::problem() const {
+  const auto of_both = [&](const std::string& what) {
+    return ParameterError{"", "alpha_x = " + format_number(alpha_x) + " with alpha_y = " + format_number(alpha_y) +
+                                  ": found " + what};
+  };
+  for (const double alpha : {alpha_x, alpha_y})
+    if (!roughnesses.contains(alpha)) return of_both(format_number(alpha) + ", accepted: " + roughnesses.describe());
+  const double ratio = std::max(alpha_x / alpha_y, alpha_y / alpha_x);
+  if (ratio <= largest_ratio * (1 + 1e-12)) return std::nullopt;
+  return of_both("a ratio of " + format_number(ratio) + ", accepted: a number in [1, " + format_number(largest_ratio) +
+                 "]");
 }
 
 std::vector<ParameterSpec> isotropic_roughness(const Bounds& bounds, const std::string& doc) {

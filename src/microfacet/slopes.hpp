@@ -8,6 +8,9 @@
 #include "microfacet/parameters.hpp"
 
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace brdfplot {
 
@@ -67,6 +70,9 @@ struct SlopeMap {
             {"roughness", "imageworks_anisotropy"}};
   }
   static SlopeMap from(const Values& values);
+  /// Of parameters that are good one by one: a roughness that an anisotropy takes out of [1e-6, 1e6], or two more than
+  /// 1e6 apart. Within, everything there is to evaluate is finite.
+  std::optional<ParameterError> problem() const;
 };
 
 /// The parameters of a distribution with one alpha: `alpha` within bounds, or `roughness`, its root.

@@ -8,15 +8,18 @@
 #include <boost/math/quadrature/exp_sinh.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace brdfplot {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double far = 1e30;          ///< squared slope where a tail has become a power
+constexpr double slowest = 1.65;      ///< power of a tail that the rule itself takes to its end
+constexpr double negligible = 1e-200; ///< error of a Lambda that nobody sees in G1
 
 /// t (t - a atan(t / a)).
 double visible_excess(double a, double t) { return t * t * atan_deficit(t / a); }
@@ -24,7 +27,8 @@ double visible_excess(double a, double t) { return t * t * atan_deficit(t / a); 
 /// The integrand over t, divided by a density near the largest one so that neither overflows nor vanishes.
 class SmithIntegrand {
 public:
-  SmithIntegrand(const LogDensity& log_density, double a) : log_density_(log_density), a_(a), a2_(a * a) {
+  SmithIntegrand(const LogDensity& log_density, double a, const DensityHints& hints)
+      : log_density_(log_density), a_(a), a2_(a * a) {
     const double here = log_density_(a2_);
     const double step = 1e-4 * (1 + a2_);
     const double fall = (here - log_density_(a2_ + step)) / step;
@@ -33,6 +37,8 @@ public:
     reference_ = here;
     if (!(fall > 0 && fall < infinite))
       for (int k = -40; k <= 40; ++k) reference_ = std::max(reference_, log_density_(a2_ + std::exp2(k)));
+    for (const double r2 : hints.cuts)
+      if (r2 > a2_) reference_ = std::max(reference_, log_density_(r2));
   }
 
   double scale() const { return scale_; }
@@ -60,31 +66,46 @@ Estimate double_exponential(const SmithIntegrand& integrand) {
   return {value, error, 0};
 }
 
-/// By bisection in ln t, for densities that are not analytic.
-Estimate bisection(const SmithIntegrand& integrand) {
+/// By bisection in ln t, for densities that are not analytic or have several peaks. A slow tail, p ~ t^(-2 power), is
+/// integrated by hand from where t - a atan(t / a) is t to 1e-12.
+Estimate bisection(const SmithIntegrand& integrand, double a, const DensityHints& hints, double absolute) {
   const auto f = [&](const double* x, double* y, std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) y[k] = std::exp(x[k]) * integrand(std::exp(x[k]));
   };
   const double middle = std::log(integrand.scale());
-  const std::array<double, 10> cuts = {middle - 40, middle - 8, middle - 2, middle - 1,  middle,
-                                       middle + 1,  middle + 2, middle + 8, middle + 40, middle + 345};
-  return integrate(f, cuts, {.relative = 5e-11});
+  const bool slow = hints.power < slowest;
+  const double end = slow ? std::log(1e12 * std::max(a, std::sqrt(far))) : middle + 345;
+  std::vector<double> cuts;
+  for (const double k : {-40, -8, -2, -1, 0, 1, 2, 8, 40})
+    if (middle + k < end) cuts.push_back(middle + k);
+  for (const double r2 : hints.cuts)
+    if (r2 > a * a) cuts.push_back(0.5 * std::log(r2 - a * a));
+  cuts.push_back(end);
+  std::ranges::sort(cuts);
+  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
+  Estimate integral = integrate(f, cuts, {.absolute = absolute, .relative = 5e-11});
+  if (slow) integral.value += std::exp(end) * integrand(std::exp(end)) / (2 * hints.power - 3);
+  return integral;
 }
 
 } // namespace
 
-double a_lambda_by_quadrature(const LogDensity& log_density, double a) {
+double a_lambda_by_quadrature(const LogDensity& log_density, double a, const DensityHints& hints) {
   if (a > 1e75) return 0;
-  const SmithIntegrand integrand(log_density, a);
+  const SmithIntegrand integrand(log_density, a, hints);
   // Below e^-2000 the result is 0 whatever the integral is, and the rounding of the logarithm leaves no digits of that.
   if (integrand.reference() < -2000) return 0;
-  Estimate integral = double_exponential(integrand);
-  if (!(integral.error <= 1e-10 * integral.value)) integral = bisection(integrand);
-  if (!(integral.error <= 1e-10 * integral.value) && integral.value > 0)
+  const double factor = 2 * std::exp(integrand.reference());
+  const bool plain = (hints.cuts.empty() || hints.cuts.back() <= a * a) && !(hints.power < slowest);
+  Estimate integral;
+  if (plain) integral = double_exponential(integrand);
+  if (integral.value == 0 || !(integral.error <= 1e-10 * integral.value))
+    integral = bisection(integrand, a, hints, negligible / factor);
+  if (!(integral.error <= 1e-10 * integral.value || integral.error * factor <= negligible))
     throw AccuracyError("lambda", "Smith's integral reached a relative error of " +
                                       format_number(integral.error / integral.value) +
                                       " only (asked: 1e-10) at a = " + format_number(a));
-  return 2 * integral.value * std::exp(integrand.reference());
+  return factor * integral.value;
 }
 
 } // namespace brdfplot

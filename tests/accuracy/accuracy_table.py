@@ -30,6 +30,11 @@ makes of them. Where a bound has a term in E, the squared norm of the slope (for
 7.3 φ²), the result contains exp(-E): a relative change of 2^-53 of the input, such as its own rounding, already changes
 it by up to 4 E units of 2^-53. Errors are then divided by (1 + E / 2), so that the bound is that of E = 0.
 
+Not in the table, since no closed form: Λ of exponential_power, ward, gaussian, custom and of gtr with γ other than 1, 2, 3
+or 4, which are interpolated in a table of the integral of their own slopes. a Λ(a) has a relative error of at most 1e-10
+down to 1e-290, as `tests/microfacet/lambda_ends.cpp` holds it to; below, and for custom from 1e-200 down, where formulas
+underflow, an absolute error of at most 1e-200, of which G1 = 1 / (1 + Λ) shows nothing.
+
 """
 
 

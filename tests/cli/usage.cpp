@@ -136,8 +136,9 @@ TEST_CASE("list") {
     parts += (parts.empty() ? "" : "\n") + part;
   }
   CHECK(all == parts);
-  for (const char* word : {"beckmann", "ggx", "phong", "gtr", "smith_rational", "v_cavity", "height_correlated",
-                           "conductor", "weak_furnace", "a number > 0", "default 5", "[Heitz 2014, Eq. 35]"})
+  for (const char* word :
+       {"beckmann", "ggx", "phong", "gtr", "smith_rational", "v_cavity", "height_correlated", "conductor",
+        "weak_furnace", "a number in [1e-06, 1e+06]", "default 5", "[Heitz 2014, Eq. 35]"})
     CHECK(all.find(word) != std::string::npos);
   std::istringstream lines(all);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);

@@ -173,7 +173,7 @@ TEST_CASE("figures: names that nothing has, at the name") {
 TEST_CASE("figures: values that a material refuses, where they were set") {
   check_all({
       {R"("series": [{"quantity": "d", "at": {"alpha": 0}}])", "", "/panels/0/series/0/at/alpha",
-       "found 0, accepted: a number > 0"},
+       "found 0, accepted: a number in [1e-06, 1e+06]"},
       {R"("for_each": {"variable": "alpha", "values": [1, -2]}, )" + series, "", "/panels/0/for_each/values/1",
        "found -2"},
       {"", R"("x": {"variable": "correlation", "from": 0, "to": 1}, "at": {"theta_m": 0})", "/x",

@@ -126,7 +126,7 @@ TEST_CASE("what is wrong with a surface") {
   };
   CHECK(problem(mesh("gaussian", 0.5, 64, 8)) == "");
   CHECK(problem(mesh("gausian", 0.5, 64, 8)).starts_with("/surface/type: unknown type \"gausian\"; did you mean"));
-  CHECK(problem(mesh("gaussian", -1, 64, 8)) == "/surface/alpha: found -1, accepted: a number > 0");
+  CHECK(problem(mesh("gaussian", -1, 64, 8)) == "/surface/alpha: found -1, accepted: a number in [1e-06, 1e+06]");
   CHECK(problem(mesh("gaussian", 0.5, 64.5, 8)).starts_with("/surface/samples: found 64.5, accepted: a whole number"));
   CHECK(problem(mesh("gaussian", 0.5, 64, 17)).starts_with("/surface/correlation_length: found 17, accepted: "));
 }

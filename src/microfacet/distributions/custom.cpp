@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -26,67 +27,144 @@ struct ShapeProblem {
   std::string what;
 };
 
-/// f(t2). Beyond 1e60 a formula may be infinity times 0, of which nothing is left to see.
+constexpr double far = 1e30; ///< squared slope up to which a shape is looked at; what follows is a power of it
+
+/// Values of f below this count as 0 where it is integrated: a formula underflows where its logarithm would not, and
+/// loses its digits before.
+constexpr double smallest = 1e-290;
+
+/// f(t2).
 double checked(const Formula& formula, double t2) {
   const std::array<double, 2> values = {t2, std::sqrt(t2)};
   const double f = formula(values);
   if (f >= 0 && f < infinity) return f;
-  if (std::isnan(f) && t2 > 1e60) return 0;
   const std::string which = std::isnan(f) ? "not a number" : f < 0 ? "negative (" + format_number(f) + ")" : "infinite";
-  throw ShapeProblem{"the shape is " + which + " at t2 = " + format_number(t2)};
+  throw ShapeProblem{"the shape is " + which + " at t2 = " + format_number(t2) +
+                     "; accepted: finite and not negative from t2 = 0 on"};
 }
 
-/// Looks for what the integrals may step over.
-void scan(const Formula& formula) {
-  (void)checked(formula, 0);
-  for (int k = -3000; k <= 3000; ++k) (void)checked(formula, std::pow(10.0, k * 0.01));
-  for (int k = 1; k <= 4000; ++k) (void)checked(formula, k * 0.01);
+/// f(t2) of a shape that was good wherever it was looked at.
+double known(const Formula& formula, double t2) {
+  try {
+    return checked(formula, t2);
+  } catch (const ShapeProblem& problem) {
+    throw InputError("distribution", problem.what);
+  }
 }
 
-/// By which power f falls at last: f ~ t2^-power. Infinite where nothing is left.
+/// f where the integrals may step over something: closely in ln t2, and in t2 around 1.
+struct Samples {
+  std::vector<double> t2s, values;
+
+  explicit Samples(const Formula& formula) {
+    for (int k = -3000; k <= 3000; ++k) t2s.push_back(std::pow(10.0, k * 0.01));
+    for (int k = 1; k <= 4000; ++k) t2s.push_back(k * 0.01);
+    std::ranges::sort(t2s);
+    t2s.erase(std::ranges::unique(t2s).begin(), t2s.end());
+    (void)checked(formula, 0);
+    for (const double t2 : t2s) values.push_back(checked(formula, t2));
+  }
+  double mass_at(std::size_t k) const { return t2s[k] * values[k]; } ///< per unit of ln t2
+  double mass_before(std::size_t k) const {
+    return 0.5 * (mass_at(k - 1) + mass_at(k)) * std::log(t2s[k] / t2s[k - 1]);
+  }
+};
+
+/// Where the mass per unit of ln t2 has its peaks, the `most` highest, and samples to both sides, each three times as
+/// far as the one before, until nothing of the peak is left: a rule between two that are further apart might miss it.
+std::vector<double> peaks(const Samples& samples, std::size_t most = 20) {
+  const std::size_t size = samples.t2s.size();
+  std::vector<std::size_t> found;
+  for (std::size_t k = 1; k + 1 < size; ++k)
+    if (samples.mass_at(k) > samples.mass_at(k - 1) && samples.mass_at(k) >= samples.mass_at(k + 1)) found.push_back(k);
+  std::ranges::sort(found, std::greater{}, [&](std::size_t k) { return samples.mass_at(k); });
+  if (found.size() > most) found.resize(most);
+  std::vector<double> cuts;
+  for (const std::size_t k : found) {
+    const double left = 1e-17 * samples.mass_at(k);
+    cuts.push_back(samples.t2s[k]);
+    for (std::size_t at = k, step = 1; step < k && samples.mass_at(at) > left; step *= 3)
+      cuts.push_back(samples.t2s[at = k - step]);
+    for (std::size_t at = k, step = 1; k + step < size && samples.mass_at(at) > left; step *= 3)
+      cuts.push_back(samples.t2s[at = k + step]);
+  }
+  std::ranges::sort(cuts);
+  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
+  return cuts;
+}
+
+/// Integrals over slopes look around alpha.
+void require_scale(const Samples& samples) {
+  double whole = 0, sum = 0;
+  for (std::size_t k = 1; k < samples.t2s.size(); ++k) whole += samples.mass_before(k);
+  std::size_t median = 0;
+  while (++median + 1 < samples.t2s.size() && sum < 0.5 * whole) sum += samples.mass_before(median);
+  const double t2 = samples.t2s[median];
+  if (!(t2 >= 1e-4 && t2 <= 1e4))
+    throw ShapeProblem{"half of the shape is within t2 = " + format_number(std::pow(10, std::round(std::log10(t2)))) +
+                       "; accepted: a number in [1e-04, 10000], and alpha for the scale"};
+}
+
+/// By which power f falls at last, f ~ t2^-power; infinite where nothing is left.
 double falling_power(const Formula& formula) {
-  const double near = checked(formula, 1e28);
-  const double far = checked(formula, 1e30);
-  return far > 0 ? std::log(near / far) / std::log(100.0) : infinity;
+  const double near = checked(formula, 1e20), between = checked(formula, 1e25), last = checked(formula, far);
+  if (last < smallest) return infinity;
+  const double power = std::log(near / last) / std::log(1e10);
+  const std::string falls =
+      "the shape falls like t2^" + format_number(0.0 - std::round(power * 1e4) / 1e4) + " to infinity";
+  if (power <= 1 + 1e-6) throw ShapeProblem{falls + ": its mass is infinite; accepted: faster than t2^-1.5"};
+  if (power <= 1.5 + 1e-6) throw ShapeProblem{falls + ": its mean slope is infinite; accepted: faster than t2^-1.5"};
+  // The slopes beyond 1e15 have the share 1e15^-(2 power - 3) of their mean, in a power that is uncertain by `drift`.
+  const double excess = 2 * power - 3;
+  const double drift = 2 * std::fabs(std::log(near / between) / std::log(1e5) - power) + 4e-15;
+  if (std::exp(-excess * 0.5 * std::log(far)) * drift / excess > 3e-11)
+    throw ShapeProblem{falls +
+                       ", too slowly for its mean slope to be known to 1e-10; accepted: a power of t2 and faster "
+                       "than t2^-1.5001"};
+  return power;
 }
 
 /// int_0^inf f dt2, in x = ln t2.
-double mass(const Formula& formula) {
+double mass(const Formula& formula, const std::vector<double>& peaks, double power) {
   std::vector<double> cuts;
-  for (int k = -80; k <= 80; ++k) cuts.push_back(k);
-  for (const int k : {120, 200, 345}) cuts.push_back(k);
+  for (int k = -80; k <= 69; ++k) cuts.push_back(k);
+  for (const double t2 : peaks) cuts.push_back(std::log(t2));
+  std::ranges::sort(cuts);
+  cuts.push_back(std::log(far));
+  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
   const auto integrand = [&](const double* x, double* y, std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
       const double t2 = std::exp(x[k]);
       y[k] = t2 * checked(formula, t2);
     }
   };
-  const Estimate whole = integrate(integrand, cuts, {.relative = 1e-13});
-  if (whole.value == 0) throw ShapeProblem{"the shape is 0 wherever it was looked at"};
+  Estimate whole = integrate(integrand, cuts, {.relative = 1e-13});
+  if (power < infinity) whole.value += far * checked(formula, far) / (power - 1);
+  if (!(whole.value >= 1e-50 && whole.value <= 1e50))
+    throw ShapeProblem{whole.value == 0 ? "the shape is 0 wherever it was looked at"
+                                        : "the integral of the shape: found " + format_number(whole.value) +
+                                              ", accepted: a number in [1e-50, 1e+50]"};
   if (!(whole.error <= 1e-10 * whole.value))
     throw ShapeProblem{"the integral of the shape is uncertain by " + format_number(whole.error / whole.value) +
                        " of itself (accepted: 1e-10)"};
   return whole.value;
 }
 
-void require_finite_moments(const Formula& formula) {
-  const double power = falling_power(formula);
-  const std::string falls =
-      "the shape falls like t2^" + format_number(0.0 - std::round(power * 1e4) / 1e4) + " to infinity";
-  if (power <= 1 + 1e-6) throw ShapeProblem{falls + ": its mass is infinite; accepted: faster than t2^-1.5"};
-  if (power <= 1.5 + 1e-6) throw ShapeProblem{falls + ": its mean slope is infinite; accepted: faster than t2^-1.5"};
-}
-
 CustomShape make(const Formula& formula) {
-  scan(formula);
-  require_finite_moments(formula);
-  const double scale = std::numbers::inv_pi / mass(formula);
-  try {
-    const double log_scale = std::log(scale);
-    return {formula, scale, ALambdaTable([=](double t2) { return std::log(checked(formula, t2)) + log_scale; })};
-  } catch (const AccuracyError& error) {
-    throw ShapeProblem{std::string("the masking of the shape cannot be computed: ") + error.what()};
-  }
+  CustomShape::Tail tail;
+  DensityHints hints;
+  const Samples samples(formula);
+  hints.cuts = peaks(samples);
+  hints.power = tail.power = falling_power(formula);
+  const double scale = std::numbers::inv_pi / mass(formula, hints.cuts, tail.power);
+  require_scale(samples);
+  tail.log_density = std::log(scale * checked(formula, far));
+  const auto log_density = [=](double t2) {
+    if (t2 > far) return tail.at(std::log(t2));
+    const double f = known(formula, t2);
+    return f < smallest ? -infinity : std::log(scale * f);
+  };
+  return {formula, scale, tail, ALambdaTable(log_density, hints)};
 }
 
 } // namespace
@@ -97,7 +175,8 @@ ModelSpec CustomShape::about() {
           .source = "Heitz 2014, Eq. 87; normalised and Lambda by quadrature",
           .parameters = {{.key = "shape",
                           .kind = ParameterKind::formula,
-                          .doc = "density of slopes up to a factor, such as exp(-t2)",
+                          .doc = "density of slopes up to a factor, such as exp(-t2): finite from t2 = 0 on, not "
+                                 "negative, falling faster than t2^-1.5; values below 1e-290 count as 0 in Lambda",
                           .choices = variables()}}};
 }
 
@@ -110,18 +189,19 @@ Made<CustomShape> CustomShape::from(const Values& values) {
   }
 }
 
+double CustomShape::Tail::at(double log_t2) const {
+  return power < infinity ? log_density - power * (log_t2 - std::log(far)) : -infinity;
+}
+
 double CustomShape::density(double t2) const {
-  try {
-    return scale * checked(formula, std::min(t2, 1e300));
-  } catch (const ShapeProblem& problem) {
-    throw InputError("distribution", problem.what);
-  }
+  return t2 > far ? std::exp(tail.at(std::log(t2))) : scale * known(formula, t2);
 }
 
 double CustomShape::scaled_density(double n2, double z2) const {
   const double z2_above = std::max(z2, 1e-300);
-  const double numerator = density(n2 / z2_above);
-  return numerator > 0 ? numerator / z2_above / z2_above : 0;
+  const double log_t2 = std::log(n2) - std::log(z2_above);
+  if (log_t2 > std::log(far)) return std::exp(tail.at(log_t2) - 2 * std::log(z2_above));
+  return density(n2 / z2_above) / z2_above / z2_above;
 }
 
 } // namespace brdfplot

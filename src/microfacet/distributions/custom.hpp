@@ -9,10 +9,19 @@
 namespace brdfplot {
 
 /// P22 = f(t2) / (pi int_0^inf f dt2) at alpha = 1 (Heitz 2014, Eq. 87), f a formula of t2, the squared norm of the
-/// stretched slope, and of its root t. f must be finite and not negative, and have a finite mass and mean slope.
+/// stretched slope, and of its root t. f must be finite from t2 = 0 on, not negative, and have a finite mass and mean
+/// slope; half of the mass must lie within a t2 between 1e-4 and 1e4. Beyond t2 = 1e30 it is taken for the power of t2
+/// that it has become, or for 0.
 struct CustomShape {
+  struct Tail {
+    double log_density = 0;  ///< ln of P22 at t2 = 1e30
+    double power = infinity; ///< of 1 / t2
+    double at(double log_t2) const;
+  };
+
   Formula formula;
   double scale = 1; ///< P22 / f
+  Tail tail;
   ALambdaTable table;
 
   static ModelSpec about();
@@ -23,7 +32,9 @@ struct CustomShape {
   /// \throws InputError where f is negative or not a number after all.
   double density(double t2) const;
   double scaled_density(double n2, double z2) const;
-  /// From a table of the quadrature of these slopes; relative error 1e-10.
+  /// From a table of the quadrature of these slopes. Values of f below 1e-290, where formulas underflow, count as 0.
+  /// Error: 1e-10 relative, or 1e-200, whichever is more, as long as f has no structure narrower than a hundredth of
+  /// t2.
   double a_lambda(double a) const { return table(a); }
 };
 

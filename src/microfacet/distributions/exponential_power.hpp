@@ -19,7 +19,7 @@ struct ExponentialPowerShape {
   double density(double t2) const;
   double scaled_density(double n2, double z2) const;
   /// a Lambda(a) from a table of the quadrature of these slopes: there is no general closed form. Domain a in [0,
-  /// infinity]; relative error 1e-10.
+  /// infinity]; relative error 1e-10 of all that is above 1e-290.
   double a_lambda(double a) const { return table(a); }
 };
 

@@ -21,7 +21,7 @@ struct GaussianProfile {
   static double width(double alpha) { return std::tan(std::fmin(alpha, 1)); }
   double p22(double r2) const;
   double density(double sin2, double z) const;
-  /// From a table of the quadrature of these slopes; relative error 1e-10.
+  /// From a table of the quadrature of these slopes; relative error 1e-10 of all that is above 1e-290.
   double a_lambda(double a) const { return table(a); }
 };
 

@@ -47,45 +47,53 @@ double gtr_a_lambda_closed(double alpha, int gamma, double a) {
 }
 
 ModelSpec GtrProfile::spec() {
-  const Bounds positive{.min = 0, .open_min = true};
   ModelSpec spec{.type = "gtr",
                  .doc =
                      "generalized Trowbridge-Reitz; masking in closed form for gamma = 1, 2, 3, 4, else by quadrature",
                  .source = "Burley 2012; Akenine-Moller et al. 2018, Eqs. 9.46-9.47; Dimov 2015",
-                 .parameters = isotropic_roughness(positive, "roughness"),
+                 .parameters = isotropic_roughness({.min = 1e-6, .max = 1e6}, "roughness"),
                  .alternatives = {{"alpha"}, {"roughness"}}};
-  spec.parameters.push_back({.key = "gamma", .bounds = positive, .doc = "exponent of the tail; 2 is GGX"});
+  spec.parameters.push_back(
+      {.key = "gamma", .bounds = {.min = 0, .max = 1e3, .open_min = true}, .doc = "exponent of the tail; 2 is GGX"});
   return spec;
 }
 
-namespace {
-
-double log_slope_density(double log_k, double alpha2, double gamma, double r2) {
-  return log_k - std::log(std::numbers::pi) + (gamma - 2) * std::log1p(r2) - gamma * std::log(r2 + alpha2);
+GtrLobe::GtrLobe(double alpha_is, double gamma_is) : alpha(alpha_is), gamma(gamma_is) {
+  const double log_alpha2 = 2 * std::log(alpha);
+  // Of k and k alpha^(-2 gamma) the one whose terms have the same sign.
+  const double log_k =
+      alpha >= 1 ? gtr_log_normalization(alpha, gamma) : log_phi(-log_alpha2) - log_phi((gamma - 1) * log_alpha2);
+  log_peak = log_k - std::log(std::numbers::pi);
 }
 
-} // namespace
+double GtrLobe::log_density(double sin2, double z2) const {
+  const double above = (alpha - 1) * (alpha + 1);
+  return log_peak - gamma * (alpha >= 1 ? std::log1p(above * z2) : std::log1p(-above / (alpha * alpha) * sin2));
+}
+
+double GtrLobe::log_p22(double r2) const { return log_density(1 / (1 + 1 / r2), 1 / (1 + r2)) - 2 * std::log1p(r2); }
+
+double GtrLobe::median_slope() const {
+  const double log_alpha2 = 2 * std::log(alpha);
+  if (log_alpha2 == 0) return 1;
+  // v^(1 - gamma) is the mean of what it is at both ends, alpha^(2 (1 - gamma)) and 1.
+  const double x = (1 - gamma) * log_alpha2;
+  const double log_mean = std::max(x, 0.0) + std::log(0.5 + 0.5 * std::exp(-std::fabs(x)));
+  const double log_v = std::fabs(x) < 1e-5 ? (0.5 + x / 8) * log_alpha2 : log_mean / (1 - gamma);
+  return alpha * std::sqrt(-std::expm1(log_v - log_alpha2) / std::expm1(log_v));
+}
 
 GtrProfile GtrProfile::from(const Values& values) {
-  const double alpha = alpha_from(values);
-  const double gamma = values.number("gamma");
-  const double log_k = gtr_log_normalization(alpha, gamma);
-  const double alpha2 = alpha * alpha;
-  return {alpha, gamma, log_k, ALambdaTable([=](double t2) {
-            return log_slope_density(log_k, alpha2, gamma, alpha2 * t2) + std::log(alpha2);
-          })};
-}
-
-double GtrProfile::p22(double r2) const { return std::exp(log_slope_density(log_k, alpha * alpha, gamma, r2)); }
-
-double GtrProfile::density(double sin2, double z) const {
-  const double alpha_z = alpha * z;
-  return std::numbers::inv_pi * std::exp(log_k - gamma * std::log(sin2 + alpha_z * alpha_z));
+  const GtrLobe lobe(alpha_from(values), values.number("gamma"));
+  const double alpha2 = lobe.alpha * lobe.alpha;
+  const double log_alpha2 = std::log(alpha2);
+  return {lobe, ALambdaTable([=](double t2) { return lobe.log_p22(alpha2 * t2) + log_alpha2; })};
 }
 
 double GtrProfile::a_lambda(double a) const {
+  const double gamma = lobe.gamma;
   const bool closed = gamma == 1 || gamma == 2 || gamma == 3 || gamma == 4;
-  return closed ? gtr_a_lambda_closed(alpha, static_cast<int>(gamma), a) : table(a);
+  return closed ? gtr_a_lambda_closed(lobe.alpha, static_cast<int>(gamma), a) : table(a);
 }
 
 } // namespace brdfplot

@@ -7,22 +7,36 @@
 
 namespace brdfplot {
 
-/// D = k / (pi (1 + (alpha^2 - 1) cos^2)^gamma) (RTR4, Eqs. 9.46-9.47); gamma = 2 is GGX. Not shape-invariant.
+/// The normals of GTR, by logarithms whose terms do not cancel however sharp the peak is.
+struct GtrLobe {
+  double alpha;
+  double gamma;
+  double log_peak; ///< ln of the largest D: k alpha^(-2 gamma) / pi at the normal, for alpha >= 1 k / pi at the horizon
+
+  GtrLobe(double alpha, double gamma);
+  /// The peak over the power gamma of 1 + (alpha^-2 - 1) sin^2, for alpha >= 1 of 1 + (alpha^2 - 1) cos^2.
+  double log_density(double sin2, double z2) const;
+  /// The slope within which half of the normals are, by area: alpha for gamma = 2, elsewhere by orders of magnitude as
+  /// alpha goes to 0 or infinity. With v = alpha^2 + (1 - alpha^2) sin^2, int D cos is one over v^-gamma.
+  double median_slope() const;
+  double log_p22(double r2) const; ///< of k / pi (1 + r2)^(gamma - 2) / (r2 + alpha^2)^gamma
+};
+
+/// D = k / (pi (1 + (alpha^2 - 1) cos^2)^gamma) (RTR4, Eqs. 9.46-9.47); gamma = 2 is GGX. Not shape-invariant. Domain
+/// alpha in [1e-6, 1e6], gamma in (0, 1000].
 struct GtrProfile {
-  double alpha = 1;
-  double gamma = 2;
-  double log_k = 0;
+  GtrLobe lobe;
   ALambdaTable table;
 
   static ModelSpec spec();
   static GtrProfile from(const Values& values);
 
-  double width() const { return alpha; }
-  double p22(double r2) const; ///< k / pi (1 + r2)^(gamma - 2) / (r2 + alpha^2)^gamma
-  /// With sin^2 + alpha^2 cos^2 in place of 1 + (alpha^2 - 1) cos^2, which cancels near the normal.
-  double density(double sin2, double z) const;
+  double width() const { return lobe.alpha; }
+  double typical_slope() const { return lobe.median_slope(); }
+  double p22(double r2) const { return std::exp(lobe.log_p22(r2)); }
+  double density(double sin2, double z) const { return std::exp(lobe.log_density(sin2, z * z)); }
   /// For gamma = 1, 2, 3, 4 the closed forms below; else from a table of the quadrature of these slopes, relative error
-  /// 1e-10.
+  /// 1e-10 of all that is above 1e-290.
   double a_lambda(double a) const;
 };
 

@@ -36,7 +36,7 @@ struct MixtureOf {
             .source = "Cook and Torrance 1982; Kulla and Conty 2017; Heitz 2014, Eq. 41",
             .parameters = {{.key = "components",
                             .kind = ParameterKind::components,
-                            .bounds = {.min = 0, .open_min = true},
+                            .bounds = {.min = 1e-100, .max = 1e100},
                             .doc = "what is summed; the weights are divided by their sum",
                             .models = [] { return specs_of<List>(); }}}};
   }

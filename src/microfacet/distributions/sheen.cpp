@@ -10,15 +10,14 @@ namespace {
 
 /// (F - c) / x = sum_(n >= 1) (-1/2)_n / n! ((-m)_n / n! - 1) x^(n - 1), (m + 1) x <= 1/2.
 double excess_by_series(double m, double x) {
-  double binomial = 1; // (-1/2)_n / n! x^(n - 1)
-  double other = 1;    // (-m)_n / n!
-  double sum = 0;
-  for (int n = 1; n < 200; ++n) {
-    binomial *= (n == 1 ? 1 : x) * (n - 1.5) / n;
+  double binomial = -0.5; // (-1/2)_n / n! x^(n - 1)
+  double other = -m;      // (-m)_n / n!
+  double sum = binomial * (other - 1);
+  // A term may be 0 and those after it not: m = 2 has one. Its two parts together halve at least from each to the next.
+  for (int n = 2; std::fabs(binomial) * (std::fabs(other) + 1) > 1e-18 * sum; ++n) {
+    binomial *= x * (n - 1.5) / n;
     other *= (n - 1 - m) / n;
-    const double term = binomial * (other - 1);
-    sum += term;
-    if (std::fabs(term) < 1e-18 * sum) break;
+    sum += binomial * (other - 1);
   }
   return sum;
 }

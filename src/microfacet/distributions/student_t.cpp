@@ -36,10 +36,9 @@ ModelSpec StudentTShape::about() {
                           .doc = "exponent of the tail, slopes fall like t^(-2 gamma)"}}};
 }
 
-StudentTShape StudentTShape::from(const Values& values) {
-  const double gamma = values.number("gamma");
-  const double g = gamma - 1;
-  return {gamma, std::sqrt(g * std::numbers::inv_pi) / (boost::math::tgamma_delta_ratio(g, 0.5) * (2 * gamma - 3))};
+StudentTShape StudentTShape::of_excess(double excess) {
+  const double g = excess + 0.5;
+  return {g + 1, excess, std::sqrt(g * std::numbers::inv_pi) / (boost::math::tgamma_delta_ratio(g, 0.5) * 2 * excess)};
 }
 
 double StudentTShape::density(double t2) const {
@@ -55,7 +54,7 @@ double StudentTShape::a_lambda(double a) const {
   const double g = gamma - 1;
   const double a2 = a * a;
   const double log_w = a < 1e150 ? -std::log1p(a2 / g) : std::log(g) - 2 * std::log(a);
-  const double whole = scale * std::exp((gamma - 1.5) * log_w);
+  const double whole = scale * std::exp(excess * log_w);
   if (a < 2) return whole - 0.5 * a * boost::math::ibetac(0.5, g, a2 / (g + a2));
   const double tail = gauss_tail(g, std::min(a2, 1e300));
   const double first = g / (g + 1);

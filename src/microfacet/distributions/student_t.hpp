@@ -10,10 +10,13 @@ namespace brdfplot {
 /// gamma > 3/2: from there down the mean slope, and with it Lambda, is infinite.
 struct StudentTShape {
   double gamma = 2;
-  double scale = 0.5; ///< a Lambda(a) at a = 0: sqrt(g / pi) Gamma(g + 1/2) / (Gamma(g) (2 gamma - 3)), g = gamma - 1
+  double excess = 0.5; ///< gamma - 3/2, which gamma near 3/2 has not the digits for
+  double scale = 0.5;  ///< a Lambda(a) at a = 0: sqrt(g / pi) Gamma(g + 1/2) / (Gamma(g) (2 gamma - 3)), g = gamma - 1
 
   static ModelSpec about();
-  static StudentTShape from(const Values& values);
+  static StudentTShape from(const Values& values) { return of_excess(values.number("gamma") - 1.5); }
+  /// \pre excess > 0
+  static StudentTShape of_excess(double excess);
 
   double density(double t2) const;
   /// Where gamma < 2, D grows without bound towards the horizon; normals nearer to it than 1e-150 count as there.

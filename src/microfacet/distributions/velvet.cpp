@@ -19,22 +19,25 @@ ModelSpec VelvetProfile::spec() {
   return spec;
 }
 
-VelvetProfile VelvetProfile::from(const Values& values) { return {alpha_from(values), values.number("amplitude")}; }
+VelvetProfile VelvetProfile::from(const Values& values) {
+  const double alpha = alpha_from(values);
+  const double ratio = values.number("amplitude") * alpha * alpha;
+  return {alpha, 1 / (1 + ratio), ratio / (1 + ratio)};
+}
 
 double VelvetProfile::p22(double r2) const {
-  const double base = base_weight();
   const double alpha2 = alpha * alpha;
-  return base * GgxShape::density(r2) + (1 - base) * InverseGaussianShape::density(r2 * alpha2) * alpha2;
+  return base * GgxShape::density(r2) + inverted * InverseGaussianShape::density(r2 * alpha2) * alpha2;
 }
 
 double VelvetProfile::density(double sin2, double z) const {
   const double alpha2 = alpha * alpha;
-  return base_weight() * (std::numbers::inv_pi +
-                          amplitude * alpha2 * InverseGaussianShape::scaled_density(sin2 * alpha2, z * z) * alpha2);
+  return base * std::numbers::inv_pi + inverted * InverseGaussianShape::scaled_density(sin2 * alpha2, z * z) * alpha2;
 }
 
 double VelvetProfile::a_lambda(double a) const {
-  return base_weight() * (GgxShape::a_lambda(a) + amplitude * alpha * InverseGaussianShape::a_lambda(alpha * a));
+  const double cot = a * width();
+  return (base * GgxShape::a_lambda(cot) + inverted / alpha * InverseGaussianShape::a_lambda(alpha * cot)) / width();
 }
 
 } // namespace brdfplot

@@ -4,6 +4,9 @@
 
 #include "microfacet/isotropic.hpp"
 
+#include <array>
+#include <utility>
+
 namespace brdfplot {
 
 /// D = (1 + k exp(-cot^2 / alpha^2) / sin^4) / (pi (1 + k alpha^2)) (RTR4, Eq. 9.73, whose exponent is to be read as
@@ -11,17 +14,22 @@ namespace brdfplot {
 /// 1, and of InverseGaussianShape with alpha' = 1 / alpha, weighted 1 to k alpha^2.
 struct VelvetProfile {
   double alpha = 0.5;
-  double amplitude = 4; ///< k
+  double base = 0.5;     ///< weight of the uniform normals, 1 / (1 + k alpha^2)
+  double inverted = 0.5; ///< weight of the inverted Gaussian, not as 1 - base, of which nothing would be left
 
   static ModelSpec spec();
   static VelvetProfile from(const Values& values);
 
-  double width() const { return 1; } ///< of the base; the rest reaches to slopes of 1 / alpha
-  double base_weight() const { return 1 / (1 + amplitude * alpha * alpha); }
+  double width() const { return base > 0 ? 1 : 1 / alpha; }
   double p22(double r2) const;
   double density(double sin2, double z) const;
   /// Exact, since masked areas add. The base is GGX with alpha = 1.
   double a_lambda(double a) const;
+
+  /// What it is the sum of, with the weights: slopes of 1 and of 1 / alpha, which no one frame sees.
+  std::array<std::pair<double, VelvetProfile>, 2> parts() const {
+    return {std::pair{base, VelvetProfile{alpha, 1, 0}}, {inverted, VelvetProfile{alpha, 0, 1}}};
+  }
 };
 
 using Velvet = Isotropic<VelvetProfile>;

@@ -31,6 +31,7 @@ RandomMesh RandomMesh::from(const Values& values) {
 }
 
 std::optional<ParameterError> RandomMesh::problem() const {
+  if (auto of_slopes = slopes.problem()) return of_slopes;
   if (samples != std::floor(samples))
     return ParameterError{"samples", "found " + format_number(samples) + ", accepted: a whole number in [8, 8192]"};
   if (correlation_length > samples / 4)

@@ -32,6 +32,7 @@ VCavitySurface VCavitySurface::from(const Values& values) {
 }
 
 std::optional<ParameterError> VCavitySurface::problem() const {
+  if (auto of_slopes = slopes.problem()) return of_slopes;
   if (pairs == std::floor(pairs)) return std::nullopt;
   return ParameterError{"pairs", "found " + format_number(pairs) + ", accepted: a whole number in [16, 65536]"};
 }
