@@ -171,22 +171,6 @@ TEST_CASE("the same numbers on any number of threads, others from another seed")
   CHECK(at(run(description).tables[1], 0, "g1") != at(one.tables[1], 0, "g1"));
 }
 
-TEST_CASE("standard errors are what realisations scatter by") {
-  std::vector<double> values;
-  double stated = 0;
-  constexpr std::uint64_t n = 24;
-  for (std::uint64_t seed = 1; seed <= n; ++seed) {
-    auto description = scene(mesh("gaussian", 1, 128, 4), measure("g1", {70}, 3000));
-    description.seed = seed;
-    const Table table = run(description).tables.at(0);
-    values.push_back(at(table, 0, "g1"));
-    stated += at(table, 0, "g1_stderr") / n;
-  }
-  const double scatter = mean_of(values).standard_error * std::sqrt(static_cast<double>(n));
-  CHECK(stated > 0.7 * scatter);
-  CHECK(stated < 2 * scatter);
-}
-
 TEST_CASE("a text that stands for a scene") {
   auto a = scene(mesh("gaussian", 1, 64, 4), measure("g1", {70}, 5000));
   auto b = a;
