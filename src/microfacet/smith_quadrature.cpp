@@ -41,6 +41,8 @@ public:
   double operator()(double t) const {
     if (!(t < 1e150)) return 0;
     const double density = std::exp(log_density_(a2_ + t * t) - reference_);
+    if (std::isnan(density))
+      throw AccuracyError("lambda", "the density of slopes is not a number, at a = " + format_number(a_));
     return density > 0 ? density * visible_excess(a_, t) : 0;
   }
 
@@ -80,7 +82,8 @@ double a_lambda_by_quadrature(const LogDensity& log_density, double a) {
   if (integrand.reference() < -2000) return 0;
   Estimate integral = double_exponential(integrand);
   if (!(integral.error <= 1e-10 * integral.value)) integral = bisection(integrand);
-  if (!(integral.error <= 1e-10 * integral.value) && integral.value > 0)
+  // Written so that a NaN does not pass.
+  if (!(integral.error <= 1e-10 * integral.value) && !(integral.value <= 0))
     throw AccuracyError("lambda", "Smith's integral reached a relative error of " +
                                       format_number(integral.error / integral.value) +
                                       " only (asked: 1e-10) at a = " + format_number(a));
