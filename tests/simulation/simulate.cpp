@@ -51,9 +51,12 @@ TEST_CASE("a sheared, anisotropic surface conserves the area of its mesosurface"
   general.values.set("correlation_length", 6.0);
   auto g1 = measure("g1", {70}, 30000);
   g1.phi_o = {0.5, 3.0};
-  const Table table = run(scene(general, g1)).tables.at(0);
+  SceneDescription description = scene(general, g1);
+  const Table table = run(description).tables.at(0);
+  description.realisations = 1;
+  const Table one = run(description).tables.at(0);
   for (std::size_t row = 0; row < 2; ++row) {
-    CHECK(std::fabs(at(table, row, "projected_area") - 1) <= 3 * at(table, row, "projected_area_stderr"));
+    CHECK(std::fabs(at(one, row, "projected_area") - 1) <= 3 * at(one, row, "projected_area_stderr"));
     CHECK(std::fabs(at(table, row, "g1_by_area") - at(table, row, "smith")) <
           4 * at(table, row, "g1_by_area_stderr") + 0.002);
   }
