@@ -211,6 +211,17 @@ int judge_claims(const std::vector<Checked>& all, const Settings& settings) {
   return fails ? 1 : unknown ? 4 : 0;
 }
 
+/// Says what came out as no number: 4 where something did, else 0.
+int judge_numbers(const std::vector<Checked>& all, const Settings& settings) {
+  int code = 0;
+  for (const auto& one : all)
+    for (const auto& what : untold(one.row)) {
+      code = 4;
+      print_error(settings, (one.file.empty() ? one.row.label + ", " + one.row.masking : one.file) + ": " + what);
+    }
+  return code;
+}
+
 int run(const CheckFlags& flags, const Settings& settings) {
   if (static_cast<int>(flags.json) + static_cast<int>(flags.csv) + static_cast<int>(flags.markdown) > 1)
     throw InputError("check", "accepted: one of --json, --csv, --markdown");
@@ -218,7 +229,8 @@ int run(const CheckFlags& flags, const Settings& settings) {
   for (auto& one : all) one.search.tolerance = read_tolerance(flags.tolerance, one.search.tolerance);
   measure_all(all, settings);
   write_text_file(flags.output, formatted(flags, all, settings));
-  return judge_claims(all, settings);
+  const int claims = judge_claims(all, settings), numbers = judge_numbers(all, settings);
+  return claims != 0 ? claims : numbers;
 }
 
 } // namespace

@@ -72,8 +72,11 @@ Command add_eval(CLI::App& app, const Settings& settings) {
       ->type_name("Q[,Q...]")
       ->allow_extra_args(false);
   command
-      ->add_option("-i,--input", flags->input,
-                   "Directions: columns theta_o phi_o theta_i ..., or x_o y_o z_o ...; default: stdin")
+      ->add_option(
+          "-i,--input", flags->input,
+          "Directions: columns theta_o phi_o theta_i ..., or x_o y_o z_o ...; default: stdin. At and below the "
+          "horizon G1 and the BRDF are 0; 90deg is above it, by the 6e-17 that its cosine is in doubles. "
+          "phi at the normal means nothing: what depends on a difference of azimuths takes 0")
       ->type_name("FILE|-");
   command->add_option("-o,--output", flags->output, "Every input column, then one per quantity; default: stdout")
       ->type_name("FILE|-");
@@ -81,7 +84,9 @@ Command add_eval(CLI::App& app, const Settings& settings) {
       ->type_name("NUMBER");
   command
       ->add_option("--precision", flags->precision,
-                   "double, or single: the kernels in float, values in the shortest form that reads back to a float")
+                   "double, or single: the kernels in float, values in the shortest form that reads back to a float. "
+                   "Directions are rounded to float first, which changes the BRDF of Beckmann and GGX by up to "
+                   "2.4e-7 / (alpha cos theta): 6 % for alpha = 8e-4 at 89.9deg, more than tenfold for 2e-6 there")
       ->type_name("double|single");
   command->footer(footer("brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv"));
   return {command, [flags, &settings] { return run(*flags, settings); }};

@@ -58,9 +58,10 @@ void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Co
   computed.row_seconds.resize(rows.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::string name = table.id + ", " + rows[r].members.at(0).name;
-    tasks.push_back({name, [&table, &computed, family = std::move(rows[r]), r] {
+    tasks.push_back({name, [name, &table, &computed, family = std::move(rows[r]), r] {
                        computed.row_seconds[r] =
                            timed([&] { computed.rows[r] = measure(family, table3_properties(), table.search()); });
+                       for (const auto& what : untold(computed.rows[r])) throw AccuracyError(name, what);
                      }});
   }
 }

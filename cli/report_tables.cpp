@@ -22,13 +22,14 @@ std::string_view word(Verdict verdict) {
   return "does not apply";
 }
 
-/// A number for the eye: two digits, or one and a power of ten when it is tiny.
+/// A number for the eye: two digits, or one and a power of ten when it is tiny; nothing where there is none.
 struct Short {
   std::string digits;
   int exponent = 0; ///< 0: none
 };
 
 Short shorten(double value) {
+  if (!std::isfinite(value)) return {};
   std::array<char, 32> buffer{};
   if (!(value < 1e-3) || value == 0) {
     std::snprintf(buffer.data(), buffer.size(), "%.2g", value);
@@ -42,13 +43,15 @@ Short shorten(double value) {
 
 std::string plain(const Residual& residual) {
   const std::string sign(mark(residual.verdict));
-  return residual.verdict == Verdict::not_applicable ? sign : sign + " " + short_number(residual.max_residual);
+  return std::isfinite(residual.max_residual) && residual.verdict != Verdict::not_applicable
+             ? sign + " " + short_number(residual.max_residual)
+             : sign;
 }
 
 std::string with_markup(const Residual& residual) {
   const Short number = shorten(residual.max_residual);
   std::string sign(mark(residual.verdict));
-  if (residual.verdict == Verdict::not_applicable) return sign;
+  if (residual.verdict == Verdict::not_applicable || number.digits.empty()) return sign;
   return sign + " " + number.digits + (number.exponent == 0 ? "" : "·10^{" + std::to_string(number.exponent) + "}");
 }
 
@@ -99,7 +102,8 @@ void append_verdicts(std::string& out, const PropertyRow& row, const std::vector
   for (const auto& info : columns) {
     const Residual& residual = row.residuals.at(info.property);
     out += ',';
-    if (residual.verdict != Verdict::not_applicable) append_number(out, residual.max_residual);
+    if (residual.verdict != Verdict::not_applicable && std::isfinite(residual.max_residual))
+      append_number(out, residual.max_residual);
     (out += ',').append(word(residual.verdict));
   }
   (out += ',').append(word(row.physically_based()));
@@ -132,6 +136,17 @@ std::string_view mark(Verdict verdict) {
 std::string short_number(double value) {
   const Short number = shorten(value);
   return number.digits + (number.exponent == 0 ? "" : "e" + std::to_string(number.exponent));
+}
+
+std::vector<std::string> untold(const PropertyRow& row) {
+  std::vector<std::string> out;
+  for (const auto& info : properties()) {
+    const auto found = row.residuals.find(info.property);
+    if (found == row.residuals.end() || std::isfinite(found->second.max_residual)) continue;
+    out.push_back("\"" + info.name + "\": found " + format_number(found->second.max_residual) +
+                  ", accepted: a finite residual");
+  }
+  return out;
 }
 
 std::string table_csv(const std::vector<PropertyRow>& rows) {

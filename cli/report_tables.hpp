@@ -13,8 +13,11 @@ namespace brdfplot::cli {
 /// ✓, ✗, ? where it cannot be told, - where it does not apply.
 std::string_view mark(Verdict verdict);
 
-/// "2e-11", two digits from 1e-3 on.
+/// "2e-11", two digits from 1e-3 on; nothing of what is not finite.
 std::string short_number(double value);
+
+/// The last guard: what is wrong with each residual that is not finite. Tables have an empty cell for it.
+std::vector<std::string> untold(const PropertyRow& row);
 
 /// One line a row, in full: where the residuals are largest as well.
 std::string table_csv(const std::vector<PropertyRow>& rows);

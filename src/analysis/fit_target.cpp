@@ -45,7 +45,11 @@ std::optional<Swept> swept_parameter(const std::string& type) {
 double lambda_of(const Material& material, double a) {
   const double cot_theta = a * material.slopes().alpha_x;
   const double norm = std::hypot(1.0, cot_theta);
-  return evaluate(material, Quantity::lambda, Direction{1 / norm, 0, cot_theta / norm}, std::nullopt, std::nullopt);
+  const double lambda =
+      evaluate(material, Quantity::lambda, Direction{1 / norm, 0, cot_theta / norm}, std::nullopt, std::nullopt);
+  if (!is_told(Quantity::lambda, lambda))
+    throw AccuracyError(material.name, "\"lambda\": found " + format_number(lambda) + " at a = " + format_number(a));
+  return lambda;
 }
 
 Material unit_material(const MaterialDescription& description, bool shape_invariant) {

@@ -384,12 +384,16 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
 double compute_or_throw(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
                         int channel) {
   const Estimate estimate = compute(integral, material, omega_o, tolerance, channel);
-  const double scale = integral == Integral::projected_area ? material.slopes().project(omega_o).c : 1;
-  if (estimate.error > tolerance * scale && integral != Integral::peak_theta_i)
-    throw AccuracyError(integrals()[static_cast<std::size_t>(integral)].name,
-                        "reached an error estimate of " + format_number(estimate.error) + " (asked: " +
-                            format_number(tolerance * scale) + ") at omega_o = (" + format_number(omega_o.x) + ", " +
-                            format_number(omega_o.y) + ", " + format_number(omega_o.z) + ")");
+  const std::string& name = integrals()[static_cast<std::size_t>(integral)].name;
+  const std::string place = " at omega_o = (" + format_number(omega_o.x) + ", " + format_number(omega_o.y) + ", " +
+                            format_number(omega_o.z) + ")";
+  if (!std::isfinite(estimate.value))
+    throw AccuracyError(name, "found " + format_number(estimate.value) + place + "; accepted: a finite number");
+  const double scale = integral == Integral::projected_area ? std::max(0.0, material.slopes().project(omega_o).c) : 1;
+  // Written so that a NaN does not pass.
+  if (!(estimate.error <= tolerance * scale) && integral != Integral::peak_theta_i)
+    throw AccuracyError(name, "reached an error estimate of " + format_number(estimate.error) +
+                                  " (asked: " + format_number(tolerance * scale) + ")" + place);
   return estimate.value;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 
 namespace brdfplot {
 
@@ -46,6 +47,9 @@ std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out)
         if (auto missed = integrate_rows(*info, results_[q])) failure = std::move(missed);
     for (std::size_t q = 0; q < quantities.size(); ++q)
       if (const auto* info = std::get_if<QuantityInfo>(&quantities[q])) evaluate_rows(*info, results_[q]);
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      if (const auto* info = std::get_if<QuantityInfo>(&quantities[q]))
+        if (auto untold = guard(*info, results_[q])) failure = std::move(untold);
     append_rows(out);
   }
   return failure;
@@ -100,12 +104,30 @@ std::exception_ptr StreamEvaluator::integrate_rows(const IntegralInfo& info, Res
 
 void StreamEvaluator::evaluate_rows(const QuantityInfo& info, Result& result) const {
   Batch batch{n_, columns_of(Letter::o), columns_of(Letter::i), columns_of(Letter::m)};
-  if (info.needs.i) batch.m = {};
+  if (info.needs.i) batch.m = {}; // g2 too is that of the half vector
   result.stride = n_;
   if (plan_.options.single_precision)
     evaluate(plan_.material, info.quantity, batch, result.single.data());
   else
     evaluate(plan_.material, info.quantity, batch, result.values.data());
+}
+
+double StreamEvaluator::value_of(const Result& result, std::size_t index) const {
+  return plan_.options.single_precision ? static_cast<double>(result.single[index]) : result.values[index];
+}
+
+std::exception_ptr StreamEvaluator::guard(const QuantityInfo& info, const Result& result) {
+  for (std::size_t r = 0; r < n_; ++r)
+    for (std::size_t k = 0; k < result.channels; ++k) {
+      const double value = value_of(result, k * result.stride + r);
+      // What is beyond float's range the kernels give as its largest number.
+      const bool beyond = plan_.options.single_precision && value == std::numeric_limits<float>::max();
+      if (is_told(info.quantity, value) && !beyond) continue;
+      n_ = r;
+      return std::make_exception_ptr(AccuracyError(
+          where(lines_[r]), "\"" + info.name + "\": found " + format_number(value) + ", accepted: a finite number"));
+    }
+  return nullptr;
 }
 
 Columns StreamEvaluator::columns_of(Letter letter) const {

@@ -40,6 +40,9 @@ private:
   /// The integral of every row of the chunk, up to the first that misses the tolerance: it ends the chunk.
   std::exception_ptr integrate_rows(const IntegralInfo& info, Result& result);
   void evaluate_rows(const QuantityInfo& info, Result& result) const;
+  double value_of(const Result& result, std::size_t index) const;
+  /// The last guard: the first row with a value that is no answer ends the chunk.
+  std::exception_ptr guard(const QuantityInfo& info, const Result& result);
   void append_value(std::string& out, const Result& result, std::size_t index) const;
   void append_rows(std::string& out) const;
   std::string where(std::size_t line) const { return plan_.file + ":" + std::to_string(line); }

@@ -123,6 +123,7 @@ Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const 
 Estimate facet_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
                     const Tolerance& tolerance) {
   const auto fitted = [&](OrenNayarFit fit) -> Estimate {
+    if (!(omega_o.z > 0 && omega_i.z > 0)) return {};
     const double value =
         oren_nayar_brdf(fit, std::get<OrenNayar>(material.distribution).profile.sigma, omega_o, omega_i);
     return {value, 1e-14 * (std::fabs(value) + 1), 1};

@@ -144,8 +144,17 @@ void mask(const Material& material, const Block& block, const Columns& omega, Si
   for (std::size_t k = 0; k < n; ++k) side.u[k] = side.c[k] + side.t[k];
 }
 
-/// phi_o - phi_i wrapped to [0, pi]; 0 where one of them is at the normal.
-double azimuth_difference(const Vec2& o, const Vec2& i) {
+/// The horizontal part of a direction, by a power of two away from where products of components are 0.
+Vec2 scaled(const Vec2& v) {
+  const double scale = std::fabs(v[0]) + std::fabs(v[1]) < 1e-100 ? 0x1p600 : 1;
+  return {scale * v[0], scale * v[1]};
+}
+
+/// phi_o - phi_i wrapped to [0, pi]; 0 where one of them is at the normal, which has no azimuth: atan2 would go by the
+/// signs of zeros.
+double azimuth_difference(const Vec2& omega_o, const Vec2& omega_i) {
+  const Vec2 o = scaled(omega_o), i = scaled(omega_i);
+  if ((o[0] == 0 && o[1] == 0) || (i[0] == 0 && i[1] == 0)) return 0;
   return std::atan2(std::fabs(o[0] * i[1] - o[1] * i[0]), o[0] * i[0] + o[1] * i[1]);
 }
 
@@ -262,7 +271,7 @@ void evaluate_diffuse(const Material& material, Quantity quantity, const Block& 
   for (std::size_t k = 0; k < block.n; ++k) {
     const Direction i = at(block.i, k);
     const Estimate brdf = facet_brdf(material, at(block.o, k), i);
-    if (!(brdf.error <= accepted * std::fabs(brdf.value)) && brdf.error > 0)
+    if (!(brdf.error <= accepted * std::fabs(brdf.value)))
       throw AccuracyError("brdf", "reached an error estimate of " + format_number(brdf.error) + " for a value of " +
                                       format_number(brdf.value) + " (asked: a relative error of 1e-9)");
     out[k] = brdf.value * (quantity == Quantity::brdf_cos ? std::max(0.0, material.slopes().project(i).c) : 1);
@@ -340,7 +349,18 @@ void require(const Material& material, const QuantityInfo& info, bool has_o, boo
         name + "needs omega_m: theta_m [phi_m] or x_m y_m z_m, or omega_o with omega_i for their half vector");
 }
 
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out) {
+bool is_told(Quantity quantity, double value) {
+  return std::isfinite(value) || (quantity == Quantity::lambda && value == infinity);
+}
+
+Batch used_by(Quantity quantity, const Batch& batch) {
+  Batch used = batch;
+  if (quantity == Quantity::brdf || quantity == Quantity::brdf_cos) used.m = {};
+  return used;
+}
+
+void evaluate(const Material& material, Quantity quantity, const Batch& given, double* out) {
+  const Batch batch = used_by(quantity, given);
   require(material, quantities()[static_cast<std::size_t>(quantity)], bool(batch.o), bool(batch.i), bool(batch.m));
   const bool has_m = batch.m || (batch.o && batch.i);
   const auto kernel = batch.m ? std::nullopt : whole_kernel(material);

@@ -57,12 +57,21 @@ struct Batch {
 ///   brdf      F D(h) G2(o, i, h) / (4 c_o c_i), Eq. 29 (1/sr); of diffuse facets Eq. 31, by quadrature (diffuse.hpp)
 ///             with a relative error below 1e-9
 ///   brdf_cos  brdf times c_i
+/// brdf and brdf_cos do not look at m. phi_o - phi_i is 0 where one of them is at the normal, which has no azimuth.
 /// Where c_o <= 0 or c_i <= 0, o.m <= 0, z_m <= 0 or the half vector is undefined (i = -o): 0, never NaN or infinity
 /// (but `brdf` with shadowing `none` grows like 1 / c_i towards the horizon).
 /// Any n. The value of a row depends on that row alone, to the last bit.
 /// \throws InputError when the material has no such quantity (Lambda of V-cavities); AccuracyError when a quadrature
 /// (Lambda, or diffuse facets) misses its accuracy.
 void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out);
+
+/// The batch without what `quantity` is no function of: a normal given beside o and i, for brdf and brdf_cos, whose
+/// facets are those of the half vector.
+Batch used_by(Quantity quantity, const Batch& batch);
+
+/// Whether `value` can be one of `quantity`: finite, or the infinite lambda at and below the horizon. The last guard of
+/// all that prints values.
+bool is_told(Quantity quantity, double value);
 
 /// One row; the first channel.
 double evaluate(const Material& material, Quantity quantity, const Direction& o, const std::optional<Direction>& i,

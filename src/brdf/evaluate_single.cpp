@@ -50,7 +50,7 @@ std::optional<Call> call_for(const Material& material, Quantity quantity, const 
   case Quantity::brdf:
   case Quantity::brdf_cos: {
     const auto whole = whole_kernel(material);
-    if (!whole || batch.m || material.facet != Facet::specular || !std::holds_alternative<NoFresnel>(material.fresnel))
+    if (!whole || material.facet != Facet::specular || !std::holds_alternative<NoFresnel>(material.fresnel))
       return std::nullopt;
     return Call{material.slopes().stretch(), whole->first, whole->second};
   }
@@ -97,7 +97,8 @@ void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t fi
 
 } // namespace
 
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out) {
+void evaluate(const Material& material, Quantity quantity, const Batch& given, float* out) {
+  const Batch batch = used_by(quantity, given);
   const QuantityInfo& info = quantities()[static_cast<std::size_t>(quantity)];
   require(material, info, bool(batch.o), bool(batch.i), bool(batch.m));
   if (const auto call = call_for(material, quantity, batch)) {

@@ -67,6 +67,20 @@ std::optional<std::string> place_of(const std::string& parameter, const Scope& s
   return std::nullopt;
 }
 
+/// A setting of the term itself that changes nothing is a mistake, and so is a BRDF over omega_m; outer levels set what
+/// only some terms use, and a constant may be drawn beside a curve.
+void check_used(const JsonFile& file, const plot::Term& term, const std::string& pointer, const Scope& scope,
+                const std::vector<Sweep>& swept) {
+  const auto check = [&](const std::string& variable, const std::string& place) {
+    if (!plot::depends_on(term.quantity, variable))
+      file.fail(place, "\"" + term.quantity + "\" does not depend on \"" + variable + "\"");
+  };
+  for (std::size_t k = 0; k < scope.at.size(); ++k)
+    if (scope.places[k].starts_with(pointer + "/")) check(scope.at[k].variable, scope.places[k]);
+  for (const Sweep& sweep : swept)
+    if (term.quantity == "brdf" || term.quantity == "brdf_cos") check(sweep.variable, sweep.place);
+}
+
 } // namespace
 
 void check_term(const JsonFile& file, const plot::Term& term, const std::string& pointer, const Scope& scope,
@@ -98,11 +112,13 @@ void check_term(const JsonFile& file, const plot::Term& term, const std::string&
   if (term.simulate) {
     std::optional<plot::SimulatedTerm> simulated;
     at_place(file, pointer, [&] { simulated.emplace(term, variables); });
-    return check_ends(*simulated);
+    check_ends(*simulated);
+    return check_used(file, term, pointer, scope, swept);
   }
   std::optional<plot::TermFunction> function;
   at_place(file, pointer + "/quantity", [&] { function.emplace(term, variables, tolerance); });
   check_ends(*function);
+  check_used(file, term, pointer, scope, swept);
 }
 
 } // namespace brdfplot::config

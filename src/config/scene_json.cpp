@@ -67,7 +67,8 @@ ShapePtr scene_shape() {
       {{"name", text(), false, "what progress calls it; default: the name of the file"},
        {"surface", named("surface", [] { return model(specs_of<simulation::Surface>()); }), true, "what is traced"},
        {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"},
-       {"realisations", whole_number(1, 100000), false, "independent surfaces to average over; default 1"},
+       {"realisations", whole_number(1, 100000), false,
+        "independent surfaces to average over, whose scatter is the standard error: one has none; default 8"},
        {"measures", array(measure_shape(), 0, 256), true, "what is measured, a table each"}},
       true);
 }
@@ -84,7 +85,7 @@ simulation::SceneDescription load_scene(const std::string& path) {
     scene.surface.values.set("file", (here.parent_path() / root["surface"]["file"].get<std::string>()).string());
   }
   scene.seed = static_cast<std::uint64_t>(root.value("seed", 1.0));
-  scene.realisations = static_cast<int>(root.value("realisations", 1.0));
+  scene.realisations = static_cast<int>(root.value("realisations", static_cast<double>(scene.realisations)));
   for (const Json& measure : root["measures"]) scene.measures.push_back(to_measure(measure));
   try {
     check(scene);

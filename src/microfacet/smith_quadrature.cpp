@@ -47,6 +47,8 @@ public:
   double operator()(double t) const {
     if (!(t < 1e150)) return 0;
     const double density = std::exp(log_density_(a2_ + t * t) - reference_);
+    if (std::isnan(density))
+      throw AccuracyError("lambda", "the density of slopes is not a number, at a = " + format_number(a_));
     return density > 0 ? density * visible_excess(a_, t) : 0;
   }
 
@@ -101,6 +103,7 @@ double a_lambda_by_quadrature(const LogDensity& log_density, double a, const Den
   if (plain) integral = double_exponential(integrand);
   if (integral.value == 0 || !(integral.error <= 1e-10 * integral.value))
     integral = bisection(integrand, a, hints, negligible / factor);
+  // Written so that a NaN does not pass.
   if (!(integral.error <= 1e-10 * integral.value || integral.error * factor <= negligible))
     throw AccuracyError("lambda", "Smith's integral reached a relative error of " +
                                       format_number(integral.error / integral.value) +

@@ -1,4 +1,5 @@
 #include "math/errors.hpp"
+#include "math/number.hpp"
 #include "plot/compare.hpp"
 #include "plot/contour.hpp"
 #include "plot/description.hpp"
@@ -182,6 +183,9 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
     const SimulatedTerm simulated(*description.compare_to, {description.x.column});
     panel.notes = compare_lobes(description.series[0].value.term, simulated, simulated_points(description, simulated),
                                 figure.tolerance, simulator.store, simulator.threads);
+    for (const Note& note : panel.notes)
+      if (!std::isfinite(note.value))
+        throw AccuracyError(note.label, "found " + format_number(note.value) + ", accepted: a finite number");
   });
 }
 

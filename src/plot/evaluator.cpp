@@ -1,5 +1,8 @@
 #include "plot/evaluator.hpp"
 
+#include "math/errors.hpp"
+#include "math/number.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -47,7 +50,7 @@ std::vector<double> narrow_places(const std::string& variable, const Configurati
 } // namespace
 
 Evaluator::Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance)
-    : operation_(expression.operation) {
+    : operation_(expression.operation), swept_(swept) {
   if (operation_ == Expression::Operation::term && expression.term.simulate)
     simulated_.emplace(expression.term, swept);
   else if (operation_ == Expression::Operation::term)
@@ -56,6 +59,21 @@ Evaluator::Evaluator(const Expression& expression, const std::vector<std::string
 }
 
 double Evaluator::operator()(const std::vector<double>& x) const {
+  const double value = combined(x);
+  guard(value, x);
+  return value;
+}
+
+void Evaluator::guard(double value, const std::vector<double>& x) const {
+  // Lambda is infinite at the horizon, and so is what is made of it; a quotient is by 0.
+  if (std::isfinite(value) || (std::isinf(value) && operation_ != Expression::Operation::ratio)) return;
+  std::string place;
+  for (std::size_t k = 0; k < std::min(x.size(), swept_.size()); ++k)
+    place += (k == 0 ? " at " : ", ") + swept_[k] + " = " + format_number(x[k]);
+  throw AccuracyError("", "found " + format_number(value) + place + "; accepted: a finite number");
+}
+
+double Evaluator::combined(const std::vector<double>& x) const {
   switch (operation_) {
   case Expression::Operation::term: return (*term_)(x);
   case Expression::Operation::difference: return operands_[0](x) - operands_[1](x);
@@ -91,15 +109,22 @@ std::vector<const SimulatedTerm*> Evaluator::simulated() const {
 }
 
 std::vector<Measured> Evaluator::measure(const std::vector<double>& x, simulation::Store& store, int threads) const {
-  if (simulated_) return simulated_->measure(x, store, threads);
   std::vector<Measured> out(x.size());
+  if (simulated_) {
+    out = simulated_->measure(x, store, threads);
+    for (std::size_t k = 0; k < x.size(); ++k) guard(out[k].value, {x[k]});
+    return out;
+  }
   if (term_) {
     for (std::size_t k = 0; k < x.size(); ++k) out[k] = {(*term_)({x[k]}), 0};
     return out;
   }
   const auto a = operands_[0].measure(x, store, threads);
   const auto b = operands_.size() > 1 ? operands_[1].measure(x, store, threads) : a;
-  for (std::size_t k = 0; k < x.size(); ++k) out[k] = combine(a[k], b[k]);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    out[k] = combine(a[k], b[k]);
+    guard(out[k].value, {x[k]});
+  }
   return out;
 }
 

@@ -12,7 +12,8 @@ namespace brdfplot::plot {
 
 class Evaluator {
 public:
-  /// \throws InputError as TermFunction and SimulatedTerm do.
+  /// \throws InputError as TermFunction and SimulatedTerm do. Values: AccuracyError where one is not a number, or
+  /// infinite by a division.
   Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance);
 
   /// The value of an expression without simulated terms.
@@ -31,9 +32,13 @@ public:
   std::vector<simulation::Measured> measure(const std::vector<double>& x, simulation::Store& store, int threads) const;
 
 private:
+  double combined(const std::vector<double>& x) const;
   simulation::Measured combine(const simulation::Measured& a, const simulation::Measured& b) const;
+  /// The last guard: throws where `value` at `x` is no answer.
+  void guard(double value, const std::vector<double>& x) const;
 
   Expression::Operation operation_;
+  std::vector<std::string> swept_;
   std::optional<TermFunction> term_;
   std::optional<SimulatedTerm> simulated_;
   std::vector<Evaluator> operands_;

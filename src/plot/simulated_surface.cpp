@@ -32,16 +32,25 @@ const char* measure_of(const Term& term) {
 }
 
 double theta_of(const Direction& d) { return std::atan2(std::hypot(d.x, d.y), d.z); }
-double phi_of(const Direction& d) { return std::atan2(d.y, d.x); }
+bool at_normal(const Direction& d) { return d.x == 0 && d.y == 0; }
+/// 0 at the normal, which has no azimuth.
+double phi_of(const Direction& d) { return at_normal(d) ? 0 : std::atan2(d.y + 0.0, d.x); }
 
-/// phi_i - phi_o, wrapped to [0, pi].
+/// phi_i - phi_o, wrapped to [-pi, pi].
 double azimuth_between(const Direction& o, const Direction& i) {
-  return std::atan2(std::fabs(o.x * i.y - o.y * i.x), o.x * i.x + o.y * i.y);
+  if (at_normal(o)) return phi_of(i);
+  if (at_normal(i)) return 0;
+  return std::atan2(o.x * i.y - o.y * i.x + 0.0, o.x * i.x + o.y * i.y);
 }
 
-/// The angle of omega_i in the plane of incidence, signed as theta_i is when phi_i = phi_o.
-double signed_theta(const Direction& o, const Direction& i) {
-  const double sign = o.x * i.x + o.y * i.y < 0 ? -1 : 1;
+/// What the plane of incidence goes through beside the normal: omega_o, or the first omega_i where that is the normal.
+const Direction& in_plane_of(const Points& points) {
+  return at_normal(*points.front().o) ? *points.front().i : *points.front().o;
+}
+
+/// The angle of omega_i in that plane, signed as theta_i is when phi_i = phi_o.
+double signed_theta(const Direction& plane, const Direction& i) {
+  const double sign = plane.x * i.x + plane.y * i.y < 0 ? -1 : 1;
   return sign * theta_of(i);
 }
 
@@ -124,7 +133,8 @@ private:
   static bool is_g2(const Term& term) { return std::string(measure_of(term)) == "g2"; }
 
   static bool in_plane(const Configuration::Ready& at) {
-    const double azimuth = azimuth_between(*at.o, *at.i);
+    if (at_normal(*at.o)) return true;
+    const double azimuth = std::fabs(azimuth_between(*at.o, *at.i));
     return std::fmin(azimuth, pi - azimuth) < 1e-9 || std::hypot(at.i->x, at.i->y) < 1e-9;
   }
 
@@ -132,7 +142,7 @@ private:
     MeasureDescription measure;
     measure.id = measure.type = measure_of(term);
     measure.rays = std::ceil(static_cast<double>(term.simulate->paths) / term.simulate->realisations);
-    measure.phi_o = {phi_of(*points.front().o)};
+    measure.phi_o = {phi_of(is_lobe(term) ? in_plane_of(points) : *points.front().o)};
     measure.theta_o.clear();
     for (const auto& point : points)
       if (is_g1(term) || measure.theta_o.empty()) measure.theta_o.push_back(theta_of(*point.o));
@@ -157,7 +167,7 @@ private:
     };
     const auto cell = [&](std::size_t row, const char* column) { return table.rows.at(row).at(table.column(column)); };
     if (is_lobe(term)) {
-      const auto row = [&](std::size_t k) { return bin_of(table, signed_theta(*points[k].o, *points[k].i)); };
+      const auto row = [&](std::size_t k) { return bin_of(table, signed_theta(in_plane_of(points), *points[k].i)); };
       const auto single = [&](std::size_t k) { return cell(row(k), "brdf_cos"); };
       const auto multiple = [&](std::size_t k) { return cell(row(k), "multiple"); };
       add("brdf_cos/1", points.size(), single);

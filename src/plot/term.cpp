@@ -56,6 +56,15 @@ const std::vector<std::string>& direction_variables() {
   return names;
 }
 
+bool depends_on(const std::string& quantity, const std::string& variable) {
+  const bool of_m = variable == "theta_m" || variable == "phi_m" || variable == "slope";
+  const bool of_i = variable == "theta_i" || variable == "phi_i";
+  const bool of_o_alone =
+      quantity == "lambda" || std::ranges::find(integrals(), quantity, &IntegralInfo::name) != integrals().end();
+  if (of_o_alone) return !of_m && !of_i;
+  return !of_m || (quantity != "brdf" && quantity != "brdf_cos");
+}
+
 void Configuration::set_model(const std::string& variable, const std::string& type) {
   if (variable == "distribution") {
     set_type<Distribution>(material_.distribution, variable, type);
@@ -193,7 +202,10 @@ double TermFunction::operator()(const std::vector<double>& values) const {
   const auto ready = configuration_.at(values);
   require_directions(ready);
   if (integral_) return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
-  return evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i, ready.m);
+  const double value = evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i, ready.m);
+  if (is_told(*quantity_, value)) return value;
+  throw AccuracyError("", "\"" + quantities()[static_cast<std::size_t>(*quantity_)].name + "\": found " +
+                              format_number(value) + ", accepted: a finite number");
 }
 
 } // namespace brdfplot::plot

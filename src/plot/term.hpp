@@ -60,6 +60,10 @@ private:
   std::vector<bool> is_fixed_; ///< swept variables that the term's own settings fix
 };
 
+/// Whether a quantity is a function of a variable: those of omega_m are nothing to the BRDF, whose facets are
+/// those of the half vector, and an integral knows omega_o alone.
+bool depends_on(const std::string& quantity, const std::string& variable);
+
 /// A term at given values of the swept variables.
 class TermFunction {
 public:

@@ -29,7 +29,7 @@ struct SceneDescription {
   std::string name;
   ModelChoice surface; ///< one of surface.hpp's list
   std::uint64_t seed = 1;
-  int realisations = 1; ///< independent surfaces over which everything is averaged
+  int realisations = 8; ///< independent surfaces over which everything is averaged, with errors of their scatter
   std::vector<MeasureDescription> measures;
 };
 

@@ -17,7 +17,7 @@ namespace brdfplot::simulation {
 
 namespace {
 
-/// Tiles along each side of a mesh: many enough for an error from their scatter.
+/// Tiles along each side of a mesh: enough for the threads and for what is kept after Ctrl-C.
 constexpr int tiles_a_side = 8;
 
 /// A realisation with what traces it. Neither is moved: tiles point into them.
@@ -84,7 +84,9 @@ public:
       for (const MeasureSpec& spec : measure_specs())
         if (spec.type == description.type && description.bins == 0) description.bins = spec.bins;
       Gathered one{make_measure(description, smith), {}, description.rays};
-      one.tallies.assign(one.measure->tasks(), Tally(one.measure->width()));
+      const bool given = std::holds_alternative<HeightMapSurface>(surface_);
+      one.tallies.assign(one.measure->tasks(), Tally(one.measure->width(), given ? Drawn::rays : Drawn::surfaces,
+                                                     one.measure->fixed_by_surface()));
       gathered_.push_back(std::move(one));
     }
     result_.surface = {"surface", "surface", surface_columns(), {}};
@@ -146,18 +148,18 @@ private:
     for (std::size_t tile = 0; tile < traced->tiles.size(); ++tile)
       for (std::size_t m = 0; m < gathered_.size(); ++m)
         for (std::size_t task = 0; task < gathered_[m].tallies.size(); ++task) pieces.push_back({m, task, tile});
-    const std::size_t first = first_tile_;
-    first_tile_ += traced->tiles.size();
     for (Gathered& one : gathered_)
-      for (Tally& tally : one.tallies) tally.add_tiles(traced->tiles.size());
+      for (Tally& tally : one.tallies) tally.begin_realisation(traced->tiles.size());
     total_ = pieces.size() * static_cast<std::size_t>(scene_.realisations);
     tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
       if (interrupted()) return;
-      trace(pieces[k], *traced, first, realisation);
+      trace(pieces[k], *traced, realisation);
     });
+    for (Gathered& one : gathered_)
+      for (Tally& tally : one.tallies) tally.end_realisation();
   }
 
-  void trace(const Piece& piece, const Traced& traced, std::size_t first, std::uint64_t realisation) {
+  void trace(const Piece& piece, const Traced& traced, std::uint64_t realisation) {
     Gathered& one = gathered_[piece.measure];
     const Tile& tile = traced.tiles[piece.tile];
     const double count = one.rays / (2.0 * scene_.realisations * static_cast<double>(traced.tiles.size()));
@@ -167,10 +169,10 @@ private:
       // 2^8 measures of 2^16 directions on 2^17 tiles of two halves.
       const std::uint64_t part = (((std::uint64_t{piece.measure} << 16 | piece.task) << 17 | piece.tile) << 1) | half;
       Random random(scene_.seed, stream(Purpose::rays, realisation, part));
-      one.measure->sample(piece.task, tile, count, random, tally.half(first + piece.tile, half), counts);
+      one.measure->sample(piece.task, tile, count, random, tally.half(piece.tile, half), counts);
     }
     if (interrupted()) return; // half a tile
-    tally.mark_done(first + piece.tile);
+    tally.mark_done(piece.tile);
     const std::lock_guard lock(mutex_);
     ++done_;
     result_.counts += counts;
@@ -182,7 +184,6 @@ private:
   Surface surface_;
   std::vector<Gathered> gathered_;
   SimulationResult result_;
-  std::size_t first_tile_ = 0;
   std::size_t done_ = 0;
   std::size_t total_ = 0;
   std::mutex mutex_;

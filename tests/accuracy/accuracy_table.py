@@ -35,6 +35,12 @@ or 4, which are interpolated in a table of the integral of their own slopes. a �
 down to 1e-290, as `tests/microfacet/lambda_ends.cpp` holds it to; below, and for custom from 1e-200 down, where formulas
 underflow, an absolute error of at most 1e-200, of which G1 = 1 / (1 + Λ) shows nothing.
 
+The bounds of `float` rows are for directions that are floats. `eval --precision single` first rounds the directions that
+it reads to such, which moves the slope of the half vector by about 2^-24 / cos θ, where a lobe is α wide. Out to a slope of
+2 α from the middle of the lobe the BRDF of Beckmann and GGX is within 2^-22 (1 + 1 / (α cos θ)) of the double one, cos θ the
+smaller of the two cosines, while that is below 0.1 (`tests/brdf/evaluate_single.cpp`). As measured up to 89.9 degrees, for
+α = 0.1 that is up to 5e-5, for α = 8e-4 3 % (GGX) and 6 % (Beckmann); for α = 2e-6 the two differ more than tenfold.
+
 """
 
 

@@ -1,5 +1,7 @@
 #include "../materials.hpp"
 
+#include "brdf/evaluate_single.hpp"
+
 #include <doctest/doctest.h>
 
 #include <array>
@@ -47,6 +49,28 @@ TEST_CASE("the BRDF is Eq. 29, F D G2 / (4 cos cos), where that can be evaluated
       CHECK(value(m, Quantity::brdf, o, i) == doctest::Approx(printed).epsilon(1e-13));
       CHECK(value(m, Quantity::brdf_cos, o, i) == doctest::Approx(printed * std::max(0.0, c_i)).epsilon(1e-13));
     }
+}
+
+TEST_CASE("the BRDF does not look at a normal given beside the two directions; G2 and F do") {
+  const Direction o = from_angles(1.0, 0.3), i = from_angles(0.6, 2.0), m = from_angles(1.2, 1.0);
+  MaterialDescription metal = describe("ggx", 0.25);
+  metal.fresnel.type = "schlick";
+  metal.fresnel.values.set("f0", Rgb{0.1, 0.2, 0.3});
+  for (const Material& material :
+       {material("ggx", 0.25), material("beckmann", 0.25), material("ggx", 0.25, "v_cavity"), gtr(0.25, 1.5),
+        build(shadowed(describe("ggx", 0.25), "direction_correlated", "ginneken")), build(metal)})
+    for (const Quantity q : {Quantity::brdf, Quantity::brdf_cos}) {
+      INFO(material.name);
+      CHECK(evaluate(material, q, o, i, m) == evaluate(material, q, o, i, std::nullopt));
+      std::array<float, 3> with{}, without{};
+      const auto columns = [](const Direction& d) { return Columns{&d.x, &d.y, &d.z}; };
+      evaluate(material, q, {1, columns(o), columns(i), columns(m)}, with.data());
+      evaluate(material, q, {1, columns(o), columns(i), {}}, without.data());
+      CHECK(with == without);
+    }
+  CHECK(evaluate(material("ggx", 0.25), Quantity::g2, o, i, {{0, -1, 0.01}}) == 0);
+  CHECK(evaluate(build(metal), Quantity::fresnel, o, i, m) !=
+        evaluate(build(metal), Quantity::fresnel, o, i, std::nullopt));
 }
 
 TEST_CASE("the BRDF is reciprocal") {

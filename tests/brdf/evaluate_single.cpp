@@ -90,6 +90,40 @@ TEST_CASE("single precision is within 8 ulp of a float of the double value") {
     }
 }
 
+TEST_CASE("what rounding directions to float costs the BRDF is what docs/accuracy.md and --help say") {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto columns = [](const Direction& d) { return Columns{&d.x, &d.y, &d.z}; };
+  for (const char* type : {"ggx", "beckmann"})
+    for (const double alpha : {1.0, 0.1, 1e-2, 1e-3, 8e-4, 1e-4, 1e-5, 2e-6}) {
+      const Material m = material(type, alpha);
+      double worst = 0, of_bound = 0;
+      for (int k = 0; k < 20000; ++k) {
+        const Direction o = from_angles(89.9 * degree * uniform(engine), 2 * std::numbers::pi * uniform(engine));
+        const double slope = 2 * alpha * std::sqrt(uniform(engine)), psi = 2 * std::numbers::pi * uniform(engine);
+        const Direction h = normalized({slope * std::cos(psi), slope * std::sin(psi), 1});
+        const Direction i = reflected(o, h);
+        const double cosine = std::min(o.z, i.z);
+        if (!(cosine > std::cos(89.9 * degree))) continue;
+        const double exact = value(m, Quantity::brdf, o, i);
+        float single = 0;
+        evaluate(m, Quantity::brdf, {1, columns(o), columns(i), {}}, &single);
+        const double error = relative(single, exact), bound = 0x1p-22 * (1 + 1 / (alpha * cosine));
+        INFO(type << " " << alpha << ", o.z = " << o.z << ", i.z = " << i.z);
+        if (bound < 0.1) CHECK(error <= bound);
+        if (bound < 0.1) of_bound = std::max(of_bound, error / bound);
+        worst = std::max(worst, error);
+      }
+      INFO(type << " " << alpha << ": worst " << worst << ", of the bound " << of_bound);
+      if (alpha > 2e-6) CHECK(of_bound > 0.15); // the bound is no exaggeration
+      const bool ggx = std::string(type) == "ggx";
+      if (alpha == 0.1) CHECK(worst == doctest::Approx(5e-5).epsilon(0.5));
+      if (alpha == 8e-4) CHECK(worst == doctest::Approx(ggx ? 0.03 : 0.06).epsilon(0.5));
+      if (alpha == 2e-6) CHECK(worst > 10);
+      if (alpha == 2e-6) CHECK(worst < 100);
+    }
+}
+
 TEST_CASE("single precision needs the directions that double needs") {
   const Rows rows(1);
   float out = 0;

@@ -75,6 +75,19 @@ TEST_CASE("check: what cannot be told at a tolerance is exit code 4 when it is c
   CHECK(run(folder, "brdfplot check m.json").code == 0);
 }
 
+TEST_CASE("check: the last guard, what is no number is told, is exit code 4, and no cell shows it") {
+  const Folder folder;
+  folder.write("m.json", R"({"distribution": {"type": "ggx", "alpha": 0.5},
+    "masking": {"type": "custom", "lambda": "abs(theta - 50 / 180 * 3.141592653589793) < 1e-9 ? -1 : 0"}})");
+  for (const char* form : {"", " --csv", " --markdown", " --json"}) {
+    const auto ran = run(folder, "brdfplot check m.json" + std::string(form));
+    CHECK(ran.code == 4);
+    CHECK(ran.err.find("brdfplot: error: m.json: \"g1_range\": found inf, accepted: a finite residual\n") !=
+          std::string::npos);
+    for (const char* word : {"nan", "inf"}) CHECK(ran.out.find(word) == std::string::npos);
+  }
+}
+
 TEST_CASE("check: usage") {
   const Folder folder;
   write_materials(folder);

@@ -115,11 +115,59 @@ TEST_CASE("pairs use the half vector, whatever omega_m is") {
 TEST_CASE("at and below the horizon there is nothing, not NaN") {
   for (const char* o : {"0,0,-1", "1,0,0", "1,0,-1e-300", "0,1,-0.5"}) {
     const auto row = values(ggx, "x_o,y_o,z_o,theta_i\n" + std::string(o) + ",0.5\n",
-                            "g1,g2,brdf,brdf_cos,albedo,weak_furnace,visible_norm", 4);
+                            "g1,g2,brdf,brdf_cos,albedo,weak_furnace,visible_norm,projected_area", 4);
     for (const double value : row) CHECK(value == 0);
   }
   const auto opposite = values(ggx, "theta_o,x_i,y_i,z_i\n0,0,0,-1\n", "g1,g2,brdf,brdf_cos", 4);
   for (const double value : opposite) CHECK(value == 0);
+}
+
+TEST_CASE("below the horizon facets that are no mirrors reflect nothing, and the rows after it are told") {
+  for (const char* facet : {"diffuse", "oren_nayar", "oren_nayar_direct", "oren_nayar_qualitative"}) {
+    const Folder folder;
+    const std::string nayar =
+        R"("distribution": {"type": "oren_nayar", "sigma": 0.4}, "masking": {"type": "v_cavity"})";
+    folder.write("m.json", "{" + nayar + R"(, "facet": ")" + std::string(facet) + "\"}");
+    folder.write("in.csv", "theta_o,theta_i\n100deg,0.3\n0.3,100deg\n2,2\n180deg,0.1\n90deg,-1.5\n0.3,0.2\n");
+    const auto rows = cells(check_output(folder, "brdfplot eval m.json -q brdf,brdf_cos -i in.csv"));
+    REQUIRE(rows.size() == 7);
+    for (const std::size_t row : {1U, 2U, 3U, 4U})
+      for (const std::size_t column : {2U, 3U}) CHECK(rows[row][column] == "0");
+    CHECK(std::stod(rows[6][2]) > 0.2);
+  }
+}
+
+TEST_CASE("90deg is above the horizon by its rounding, and --help says so") {
+  CHECK(values(ggx, "theta_o\n90deg\n", "g1", 1)[0] > 0);
+  const Folder folder;
+  CHECK(check_output(folder, "brdfplot eval --help").find("90deg") != std::string::npos);
+}
+
+TEST_CASE("the last guard: what is no number ends the stream with its row") {
+  const Folder folder;
+  // c + c Lambda is 0 at the second row, and G1 a division by it.
+  folder.write("m.json", R"({"distribution": {"type": "ggx", "alpha": 0.5},
+    "masking": {"type": "custom", "lambda": "theta > 1 ? -1 : 0"}})");
+  folder.write("in.csv", "theta_o,theta_i\n0.5,0.1\n1.2,0.1\n");
+  for (const char* precision : {"double", "single"}) {
+    const Outcome outcome =
+        run(folder, "brdfplot eval m.json -q lambda,g1 -i in.csv --precision " + std::string(precision));
+    CHECK(outcome.code == 4);
+    CHECK(outcome.err == "brdfplot: error: in.csv:3: \"g1\": found inf, accepted: a finite number\n");
+    CHECK(outcome.out == "theta_o,theta_i,lambda,g1\n0.5,0.1,0,1\n");
+  }
+  for (const char* integral : {"albedo", "weak_furnace", "visible_norm", "projected_area", "furnace", "mean_theta_i"}) {
+    const Outcome outcome = run(folder, "brdfplot eval m.json -i in.csv -q " + std::string(integral));
+    INFO(integral << " " << outcome.out << outcome.err);
+    CHECK(outcome.code == 4);
+    CHECK(outcome.out.find("nan") == std::string::npos);
+    CHECK(outcome.out.find("inf") == std::string::npos);
+  }
+  // Of float's range, not of double's.
+  folder.write("narrow.json", R"({"distribution": {"type": "ggx", "alpha": 1e-20}})");
+  folder.write("m.csv", "theta_m\n0\n");
+  CHECK(run(folder, "brdfplot eval narrow.json -q d -i m.csv").code == 0);
+  CHECK(run(folder, "brdfplot eval narrow.json -q d -i m.csv --precision single").code == 4);
 }
 
 TEST_CASE("an accuracy out of reach names the row and the estimate reached") {

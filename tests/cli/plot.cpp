@@ -74,6 +74,30 @@ TEST_CASE("figures that fail leave the folder as it was") {
   CHECK(folder.read("out/one.csv") == "as it was");
 }
 
+TEST_CASE("the last guard: what is no number in a figure is exit code 4, with the place") {
+  const Folder folder;
+  const auto masked = [](const std::string& text) {
+    std::string out = text;
+    const std::string material = R"("material": {)";
+    out.insert(out.find(material) + material.size(),
+               R"("masking": {"type": "custom", "lambda": "theta > 1 ? -1 : 0"}, )");
+    return out;
+  };
+  fs::create_directory(folder.path() / "out");
+  folder.write("g1.json", masked(figure("one", "g1")));
+  check_error(folder, "brdfplot plot g1.json -o out", 4, {"one, panel 1, series \"curve\": \"g1\": found inf"});
+  folder.write("furnace.json", masked(figure("one", "furnace")));
+  check_error(folder, "brdfplot plot furnace.json -o out", 4, {"one, panel 1, series \"curve\": furnace: "});
+  std::string ratio = figure("one");
+  const std::string quantity = R"("quantity": "lambda")";
+  const std::string difference = R"({"difference": [{"quantity": "g1"}, {"quantity": "g1"}]})";
+  ratio.replace(ratio.find(quantity), quantity.size(), R"("ratio": [)" + difference + ", " + difference + "]");
+  folder.write("ratio.json", ratio);
+  check_error(folder, "brdfplot plot ratio.json -o out", 4,
+              {"one, panel 1, series \"curve\": found ", "nan at theta_o = 0.1; accepted: a finite number"});
+  CHECK(folder.list("out").empty());
+}
+
 TEST_CASE("Ctrl-C while figures are computed") {
   const Folder folder;
   fs::create_directory(folder.path() / "out");

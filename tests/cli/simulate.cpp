@@ -57,7 +57,7 @@ TEST_CASE("progress of a simulation, with the rates of rays at its end") {
   folder.write("s.json", scene());
   const Outcome outcome = run(folder, "brdfplot simulate s.json --progress always");
   CHECK(outcome.code == 0);
-  CHECK(outcome.err.find("192/192, ") != std::string::npos); // 64 tiles of three directions
+  CHECK(outcome.err.find("1536/1536, ") != std::string::npos); // 8 surfaces of 64 tiles, three directions
   CHECK(outcome.err.find("\ncoherent rays: 0.") != std::string::npos);
   CHECK(std::ranges::count(outcome.err, '\n') <= 102);
 }

@@ -215,6 +215,28 @@ TEST_CASE("figures: what a quantity needs") {
       contains(error_of(folder, 2, [&] { config::load_figure(no_x); }), "fig.json: /panels/0: \"variable\" of \"x\""));
 }
 
+TEST_CASE("figures: settings of a term that its quantity does not depend on") {
+  const std::string over_i = R"("x": {"variable": "theta_i", "from": 0, "to": 1}, "at": {"theta_o": 0.5})";
+  check_all({
+      {R"("series": [{"quantity": "brdf", "at": {"theta_m": 1}}])", over_i, "/panels/0/series/0/at/theta_m",
+       "\"brdf\" does not depend on \"theta_m\""},
+      {R"("series": [{"difference": [{"quantity": "brdf_cos"}, {"quantity": "brdf", "at": {"slope": 1}}]}])", over_i,
+       "/panels/0/series/0/difference/1/at/slope", "does not depend on \"slope\""},
+      {R"("series": [{"quantity": "albedo", "at": {"phi_i": 1}}])", over_i, "/panels/0/series/0/at/phi_i",
+       "\"albedo\" does not depend on \"phi_i\""},
+      {R"("series": [{"quantity": "brdf", "at": {"theta_o": 1, "theta_i": 1}}])", "", "/x",
+       "\"brdf\" does not depend on \"theta_m\""},
+  });
+  // Outer levels set what some of the terms use, and a constant may be drawn beside a curve.
+  const TempFolder folder;
+  const auto path = folder.write(
+      "fig.json",
+      figure_text({R"("series": [{"quantity": "brdf"}, {"quantity": "furnace"}])",
+                   R"("x": {"variable": "theta_i", "from": 0, "to": 1}, "at": {"theta_o": 0.5, "theta_m": 1})", "",
+                   ""}));
+  CHECK(config::load_figure(path).figure.panels.at(0).series.size() == 2);
+}
+
 TEST_CASE("figures: axes, labels and what only some kinds have") {
   const std::string polar = R"("kind": "polar", "x": {"variable": "theta_m", "from": -1, "to": 1})";
   const std::string map = R"("kind": "heatmap", "y": {"variable": "theta_o", "from": 0, "to": 1})";

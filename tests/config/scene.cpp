@@ -30,7 +30,7 @@ TEST_CASE("a scene") {
     {"type": "g2", "id": "pairs", "theta_o": [1], "theta_i": 0.5, "delta_phi": ["180deg"], "rays": 500})")));
   CHECK(good.name == "good");
   CHECK(good.seed == 1);
-  CHECK(good.realisations == 1);
+  CHECK(good.realisations == 8);
   CHECK(good.surface.type == "gaussian");
   CHECK(good.surface.values.number("alpha") == 0.5);
   REQUIRE(good.measures.size() == 2);

@@ -44,6 +44,20 @@ TEST_CASE("a formula of G1 may depend on the normal") {
   CHECK(value_at_normal(custom, Quantity::g1, {1, 0, 0}, from_angles(0.5, 0)) == 0);
 }
 
+TEST_CASE("phi does not know the sign of a zero") {
+  MaterialDescription description = describe("ggx", 0.5, "custom");
+  description.masking.values.set("lambda", std::string("2 + sin(phi / 2)"));
+  const Material of_lambda = build(description);
+  CHECK(lambda(of_lambda, {-0.6, -0.0, 0.8}) == lambda(of_lambda, {-0.6, 0.0, 0.8}));
+  CHECK(lambda(of_lambda, {-0.0, -0.0, 1}) == lambda(of_lambda, {0, 0, 1}));
+  description.masking.values = {};
+  description.masking.values.set("g1", std::string("0.5 + sin(phi_m / 2) / 4"));
+  const Material of_g1 = build(description);
+  const Direction o = from_angles(0.3, 1);
+  CHECK(evaluate(of_g1, Quantity::g1, o, std::nullopt, {{-0.6, -0.0, 0.8}}) ==
+        evaluate(of_g1, Quantity::g1, o, std::nullopt, {{-0.6, 0.0, 0.8}}));
+}
+
 TEST_CASE("below the mesosurface no formula is asked; above it one that is not a number is an error") {
   const Material custom = build(with_formula(describe("ggx", 0.5), "lambda", "sqrt(theta - 0.5)"));
   CHECK(g1(custom, from_angles(2, 0)) == 0);

@@ -1,8 +1,11 @@
 #include "../materials.hpp"
 
+#include "brdf/evaluate_single.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace test;
 
@@ -44,6 +47,34 @@ TEST_CASE("at the hotspot nothing that is seen is in shadow") {
     for (const auto* factor : {"ashikhmin", "ginneken", "fitted"})
       CHECK(relative(g2(type, factor, o, o), masking) < 1e-14);
   CHECK(g2("height_correlated", "", o, o) < 0.8 * masking);
+}
+
+TEST_CASE("the normal has no azimuth: the difference is 0 for every factor and every sign of zero") {
+  const Direction lights[] = {from_angles(1, 0.7), from_angles(1, 2.5), from_angles(1, -0.7), from_angles(1, -2.5)};
+  for (const auto* masking : {"smith", "kelemen", "v_cavity"})
+    for (const auto* type : {"direction_correlated", "height_direction_correlated"})
+      for (const auto* factor : {"ashikhmin", "ginneken", "fitted"}) {
+        const bool lambda = std::string(masking) == "smith";
+        if (!lambda && std::string(type) == "height_direction_correlated") continue;
+        const Material m = build(shadowed(describe("ggx", 0.4, masking), type, factor));
+        const double expected = value(m, Quantity::g2, {0, 0, 1}, lights[0]);
+        for (const double x : {0.0, -0.0})
+          for (const double y : {0.0, -0.0})
+            for (const Direction& light : lights) {
+              INFO(masking << ", " << type << ", " << factor << ", light " << light.x << " " << light.y);
+              CHECK(relative(value(m, Quantity::g2, {x, y, 1}, light), expected) < 1e-14);
+              CHECK(relative(value(m, Quantity::g2, light, {x, y, 1}), expected) < 1e-14);
+              std::array<float, 1> single{};
+              const Direction normal{x, y, 1};
+              const auto columns = [](const Direction& d) { return Columns{&d.x, &d.y, &d.z}; };
+              evaluate(m, Quantity::g2, {1, columns(normal), columns(light), {}}, single.data());
+              CHECK(relative(single[0], expected) < 1e-6);
+            }
+      }
+  // What is not quite the normal has the azimuth that it has, however near.
+  const Material m = build(shadowed(describe("ggx", 0.4, "kelemen"), "direction_correlated", "ginneken"));
+  CHECK(value(m, Quantity::g2, {1e-200, 0, 1}, from_angles(1, std::numbers::pi)) ==
+        doctest::Approx(value(m, Quantity::g2, {1e-9, 0, 1}, from_angles(1, std::numbers::pi))));
 }
 
 TEST_CASE("the factors are those of RTR4, Eqs. 9.29 and 9.30") {

@@ -2,6 +2,7 @@
 // at 40 digits from Lambda(mu) = 2 int_mu^inf r P22(r) (sqrt(r^2 / mu^2 - 1) - arccos(mu / r)) dr.
 #include "microfacet/smith_quadrature.hpp"
 #include "../materials.hpp"
+#include "math/errors.hpp"
 #include "microfacet/a_lambda_table.hpp"
 
 #include <doctest/doctest.h>
@@ -19,6 +20,11 @@ Material phong(double exponent) {
 }
 
 } // namespace
+
+TEST_CASE("a density that is no number is no Lambda") {
+  for (const double a : {0.0, 0.1, 3.0})
+    CHECK_THROWS_AS(a_lambda_by_quadrature([](double t2) { return t2 > 1 ? std::nan("") : -t2; }, a), AccuracyError);
+}
 
 TEST_CASE("Lambda of Phong agrees with 40-digit values") {
   struct Row {

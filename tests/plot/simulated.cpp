@@ -157,3 +157,21 @@ TEST_CASE("a lobe is compared in numbers with rays on surfaces") {
   CHECK(v_cavity[1].value < -10 * degree);
   CHECK(std::fabs(smith[1].value) < 10 * degree);
 }
+
+TEST_CASE("rays on an anisotropic surface keep the azimuth, from the normal and on either side of the viewer") {
+  // Smoother along y, and stretched along the diagonal: azimuths of opposite sign differ.
+  const auto measured = [](const MaterialDescription& material, double theta_o, double phi_i) {
+    Term term{"g2", material, {{"theta_o", theta_o}, {"theta_i", 75 * degree}}, Simulate{}};
+    term.simulate->source = "surface";
+    term.simulate->paths = 20000;
+    term.simulate->realisations = 2;
+    term.simulate->cells = 128;
+    return SimulatedTerm(term, {"phi_i"}).measure({phi_i}, *std::make_unique<Store>(), 2).at(0).value;
+  };
+  const auto along_x = general("beckmann", 1, 0.5, 0);
+  CHECK(measured(along_x, 0, 0) < 0.7);
+  CHECK(measured(along_x, 0, 90 * degree) > 0.75);
+  const auto diagonal = general("beckmann", 1, 1, 0.95);
+  CHECK(measured(diagonal, 1 * degree, 45 * degree) < 0.8);
+  CHECK(measured(diagonal, 1 * degree, -45 * degree) > 0.95);
+}

@@ -167,6 +167,22 @@ TEST_CASE("`slope` sets theta_m to its arctangent, on either side") {
   }
 }
 
+TEST_CASE("the BRDF of a figure is that of the half vector, whatever omega_m is") {
+  Random random(3);
+  for (int k = 0; k < 20; ++k) {
+    const auto material = random.material("ggx");
+    const std::vector<Setting> pair = {{"theta_o", 0.4}, {"theta_i", 0.3}, {"phi_i", 2.0}};
+    for (const char* quantity : {"brdf", "brdf_cos"})
+      for (const char* variable : {"theta_m", "slope"})
+        CHECK(value(quantity, material, with(pair, {{variable, 1.2}})) == value(quantity, material, pair));
+    CHECK(value("d", material, with(pair, {{"theta_m", 1.2}})) != value("d", material, pair));
+  }
+  CHECK_FALSE(plot::depends_on("brdf", "phi_m"));
+  CHECK_FALSE(plot::depends_on("albedo", "theta_i"));
+  CHECK(plot::depends_on("g2", "theta_m"));
+  CHECK(plot::depends_on("brdf", "alpha"));
+}
+
 TEST_CASE("what a term fixes is not swept") {
   const auto material = Random(5).material("ggx");
   const Term fixed{"g1", material, {{"theta_o", 1.0}, {"theta_m", 0.2}}};

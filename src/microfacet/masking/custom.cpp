@@ -31,9 +31,10 @@ const std::vector<std::string>& variables_of_g1() {
 /// a is infinite.
 std::array<double, 9> values_of(const SlopeMap& map, const Projection& p, const Direction& omega) {
   const double across = std::hypot(omega.x, omega.y);
+  const double y = omega.y + 0.0; // of y = -0 atan2 would make -pi where x < 0
   const double tan_theta = across / p.c;
   return {std::atan2(across, p.c),
-          across > 0 ? std::atan2(omega.y, omega.x) : 0,
+          across > 0 ? std::atan2(y, omega.x) : 0,
           p.c / std::hypot(across, p.c),
           tan_theta,
           p.s > 0 ? p.c / p.s : infinity,
@@ -90,7 +91,7 @@ double CustomMasking::unmasked_area(const SlopeMap& map, const Projection& p, co
   std::copy(values.begin(), values.end(), all.begin());
   const double across = std::hypot(omega_m.x, omega_m.y);
   all[9] = std::atan2(across, omega_m.z);
-  all[10] = across > 0 ? std::atan2(omega_m.y, omega_m.x) : 0;
+  all[10] = across > 0 ? std::atan2(omega_m.y + 0.0, omega_m.x) : 0;
   all[11] = omega_m.z;
   all[12] = dot(omega, omega_m);
   return p.c / number_or_throw(*g1, (*g1)(all), values);

@@ -26,6 +26,7 @@ public:
       : id_(description.id), views_(views(description)), smith_(std::move(smith)) {}
   std::size_t tasks() const override { return views_.size(); }
   std::size_t width() const override { return width_; }
+  bool fixed_by_surface() const override { return true; }
 
   void sample(std::size_t task, const Tile& tile, double count, Random& random, std::span<double> sums,
               TraceCounts& counts) const override {
@@ -62,7 +63,7 @@ public:
       append(row, tallies[task].estimate({1, 0}, Tally::ratio));
       append(row, tallies[task].estimate({3, 2}, Tally::ratio));
       // A whole period shows its own area whatever its shape: only the rays are random.
-      append(row, complete ? tallies[task].estimate_of_this_surface({3, 4}, Tally::ratio)
+      append(row, complete ? tallies[task].estimate_of_rays({3, 4}, Tally::ratio)
                            : tallies[task].estimate({3, 4}, Tally::ratio));
       row.push_back(smith_g1(smith_, view.omega));
       table.rows.push_back(std::move(row));

@@ -27,6 +27,8 @@ public:
   /// Traces about `count` points or paths on a tile and adds to `sums`. Called from many threads.
   virtual void sample(std::size_t task, const Tile& tile, double count, Random& random, std::span<double> sums,
                       TraceCounts& counts) const = 0;
+  /// Whether the table has something that a whole surface fixes, so that only rays make it uncertain.
+  virtual bool fixed_by_surface() const { return false; }
   /// One tally a task. `complete`: the whole surface is in them.
   virtual Table tabulate(const std::vector<Tally>& tallies, bool complete) const = 0;
 };
