@@ -1,9 +1,13 @@
 #include "config/schema.hpp"
 
+#include "math/echo.hpp"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string_view>
 
 namespace brdfplot::config {
 
@@ -14,6 +18,7 @@ void expect(bool good, const Json& value, const std::string& pointer, const std:
 std::string show(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return "an array of " + std::to_string(value.size());
+  if (value.is_string()) return Json(echo(value.get_ref<const std::string&>())).dump();
   return shortened(value.dump(), 60);
 }
 
@@ -37,6 +42,16 @@ std::string one_line(const std::string& text) {
     out += c == '\n' ? "\\n" : c == '\t' ? "\\t" : escape.data();
   }
   return out;
+}
+
+std::string show_pointer(const std::string& pointer) {
+  std::string out;
+  for (std::size_t begin = 0; begin < pointer.size();) {
+    const std::size_t end = std::min(pointer.find('/', begin + 1), pointer.size());
+    out += echo(std::string_view(pointer).substr(begin, end - begin));
+    begin = end;
+  }
+  return echo(one_line(out), 600);
 }
 
 std::string step(const std::string& pointer, const std::string& key) {
