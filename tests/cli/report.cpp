@@ -106,6 +106,20 @@ TEST_CASE("a report that fails leaves the folder as it was") {
   CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
 }
 
+TEST_CASE("a report that cannot be written whole leaves the old one") {
+  const Folder folder;
+  write_report(folder);
+  check_output(folder, "brdfplot report report.json -o out");
+  for (const char* name : {"figures/curve.svg", "figures/curve.csv", "report.json", "index.html"})
+    folder.write("out/" + std::string(name), "as it was");
+  fs::remove(folder.path() / "out/tables/properties.md");
+  fs::create_directory(folder.path() / "out/tables/properties.md");
+  check_error(folder, "brdfplot report report.json -o out", 3, {"out/tables/properties.md: cannot write: "});
+  for (const char* name : {"figures/curve.svg", "figures/curve.csv", "report.json", "index.html"})
+    CHECK(folder.read("out/" + std::string(name)) == "as it was");
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
+}
+
 TEST_CASE("manifests that are wrong") {
   const Folder folder;
   write_report(folder);
