@@ -10,7 +10,7 @@ namespace brdfplot::config {
 
 namespace {
 
-ShapePtr angles() { return either({angle(), array(angle(), 1)}); }
+ShapePtr angles() { return either({angle(), array(angle(), 1, 1000)}); }
 
 ShapePtr measure_shape(const simulation::MeasureSpec& spec) {
   std::vector<Field> fields = {

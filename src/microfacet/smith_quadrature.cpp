@@ -2,6 +2,7 @@
 
 #include "math/atan_deficit.hpp"
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "math/number.hpp"
 #include "math/quadrature.hpp"
 
@@ -74,6 +75,7 @@ Estimate bisection(const SmithIntegrand& integrand) {
 } // namespace
 
 double a_lambda_by_quadrature(const LogDensity& log_density, double a) {
+  throw_if_interrupted();
   if (a > 1e75) return 0;
   const SmithIntegrand integrand(log_density, a);
   // Below e^-2000 the result is 0 whatever the integral is, and the rounding of the logarithm leaves no digits of that.
