@@ -13,6 +13,11 @@ namespace {
 constexpr double most_points = 1e7;
 constexpr double most_simulated = 1e5;
 
+/// A count that an integer may not hold.
+std::string count_text(double count) {
+  return count < 1e15 ? std::to_string(static_cast<long long>(count)) : format_number(count);
+}
+
 /// How often a panel or series with this `for_each` is made.
 double repetitions(const Json& object) {
   if (!object.contains("for_each")) return 1;
@@ -64,8 +69,7 @@ private:
   void add(double& sum, double count, double most, const std::string& what, const std::string& pointer) const {
     sum += count;
     if (sum > most)
-      file_.fail(pointer,
-                 format_number(sum) + " " + what + "; accepted: at most " + format_number(most) + " in one figure");
+      file_.fail(pointer, count_text(sum) + " " + what + "; accepted: at most " + count_text(most) + " in one figure");
   }
 
   const JsonFile& file_;

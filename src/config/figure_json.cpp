@@ -265,7 +265,8 @@ private:
 
 FigureFile load_figure(const std::string& path) {
   const JsonFile file(path);
-  file.check(*figure_shape());
+  static const ShapePtr shape = figure_shape();
+  file.check(*shape);
   check_count(file);
   return {Reader(file).figure(), file.text()};
 }

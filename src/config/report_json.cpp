@@ -150,7 +150,8 @@ ShapePtr report_shape() {
 
 ReportFile load_report(const std::string& path) {
   const JsonFile file(path);
-  file.check(*report_shape());
+  static const ShapePtr shape = report_shape();
+  file.check(*shape);
   const Json& root = file.root();
   ReportFile report{std::filesystem::path(path).stem().string(),
                     root["title"].get<std::string>(),

@@ -74,7 +74,8 @@ ShapePtr scene_shape() {
 
 simulation::SceneDescription load_scene(const std::string& path) {
   const JsonFile file(path);
-  file.check(*scene_shape());
+  static const ShapePtr shape = scene_shape();
+  file.check(*shape);
   const Json& root = file.root();
   simulation::SceneDescription scene;
   scene.name = root.value("name", std::filesystem::path(path).stem().string());

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <mutex>
 
 namespace brdfplot::config {
 
@@ -233,12 +234,13 @@ public:
 private:
   /// Made when it is first needed, since it may contain itself, and then once: it may be that of many values.
   const Shape& made() const {
-    if (!made_) made_ = make_();
+    std::call_once(once_, [this] { made_ = make_(); });
     return *made_;
   }
 
   std::string name_;
   std::function<ShapePtr()> make_;
+  mutable std::once_flag once_;
   mutable ShapePtr made_;
 };
 

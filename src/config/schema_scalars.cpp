@@ -94,7 +94,7 @@ public:
     return {{"type", "string"}, {"maxLength", most_}, {"pattern", "^[A-Za-z0-9_-][A-Za-z0-9_.-]*$"}};
   }
   bool matches(const Json& value) const override { return value.is_string(); }
-  std::string describe() const override { return "up to 200 letters, digits, -, _ and ., since it names files"; }
+  std::string describe() const override { return "letters, digits, -, _ and ., at most 200, since it names files"; }
 
 private:
   static constexpr std::size_t most_ = 200;
