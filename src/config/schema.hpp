@@ -90,9 +90,6 @@ std::string show(const Json& value);
 /// At most `most` bytes of a text, cut between characters.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// The text with its control characters as JSON escapes them, so that an error stays on one line.
-std::string one_line(const std::string& text);
-
 /// A pointer as errors show it: on one line, with long keys cut.
 std::string show_pointer(const std::string& pointer);
 

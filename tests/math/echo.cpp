@@ -10,6 +10,7 @@ TEST_CASE("what errors repeat of a text") {
   CHECK(echo(std::string(60, 'a')) == std::string(60, 'a'));
   CHECK(echo(std::string(61, 'a')) == std::string(60, 'a') + "… (61 bytes)");
   CHECK(echo("abcd", 3) == "abc… (4 bytes)");
+  CHECK(echo("a\nb\x1b[31m\x7f\r") == "a\\nb\\u001b[31m\\u007f\\u000d");
 }
 
 TEST_CASE("characters are not cut") {
