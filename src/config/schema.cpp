@@ -234,13 +234,15 @@ public:
 private:
   /// Made when it is first needed, since it may contain itself, and then once: it may be that of many values.
   const Shape& made() const {
-    std::call_once(once_, [this] { made_ = make_(); });
+    // Not std::call_once: what is thrown for want of memory could not pass through the C library's pthread_once.
+    const std::lock_guard lock(mutex_);
+    if (!made_) made_ = make_();
     return *made_;
   }
 
   std::string name_;
   std::function<ShapePtr()> make_;
-  mutable std::once_flag once_;
+  mutable std::mutex mutex_;
   mutable ShapePtr made_;
 };
 
