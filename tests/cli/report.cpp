@@ -51,7 +51,7 @@ TEST_CASE("the folder of a report") {
     CHECK(rows[r][0] == (r % 2 == 1 ? "beckmann" : "ggx"));
     CHECK(rows[r][1] == (r < 3 ? "smith" : "implicit"));
     CHECK(rows[r][10] == (r < 3 ? "true" : "false"));
-    for (const std::size_t column : {2, 4, 6, 8}) CHECK((std::stod(rows[r][column]) < 1e-7) == (r < 3));
+    for (const std::size_t column : {2U, 4U, 6U, 8U}) CHECK((std::stod(rows[r][column]) < 1e-7) == (r < 3));
     CHECK(rows[r][11] == (r < 3 ? "" : "0.3")); // where rounding is largest says nothing
   }
   const std::string markdown = folder.read("out/tables/properties.md");
