@@ -202,8 +202,7 @@ Json JsonFile::follow(const Json& value, const std::string& pointer, const Origi
     throw InputError(where, "there are more than " + std::to_string(most_references) + " references");
   const Json& document = referenced(file, where);
   const Json* found = find(document, steps);
-  if (found == nullptr)
-    throw InputError(where, "there is nothing at " + show(inside) + " in " + echo(file, 300));
+  if (found == nullptr) throw InputError(where, "there is nothing at " + show(inside) + " in " + echo(file, 300));
   const Origin there{pointer, file, inside};
   origins_.push_back(there);
   trail.push_back(whole);
