@@ -1,5 +1,6 @@
 #include "command.hpp"
 
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/number.hpp"
 #include "math/text_files.hpp"
@@ -22,7 +23,7 @@ double read_tolerance(const std::string& text, double fallback) {
   if (text.empty()) return fallback;
   const auto value = parse_number(text);
   if (!value || !(*value > 0) || !std::isfinite(*value))
-    throw InputError("--tolerance", "found \"" + text + "\", accepted: a number > 0");
+    throw InputError("--tolerance", "found \"" + echo(text) + "\", accepted: a number > 0");
   return *value;
 }
 

@@ -4,6 +4,7 @@
 #include "analysis/fit_code.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/number.hpp"
 #include "math/text_files.hpp"
@@ -29,7 +30,7 @@ double fit_tolerance(const std::string& text) {
   if (text.empty()) return FitOptions{}.tolerance;
   const auto value = parse_number(text);
   if (!value || !(*value > 0) || *value > 0.1)
-    throw InputError("--tolerance", "found \"" + text + "\"; accepted: a number in (0, 0.1]");
+    throw InputError("--tolerance", "found \"" + echo(text) + "\"; accepted: a number in (0, 0.1]");
   return *value;
 }
 
@@ -37,11 +38,11 @@ void write_files(const FitResult& result, double tolerance, const std::string& f
   const std::string id = fit_identifier(result.target.name);
   const plot::Figure figure = plot::fit_error_figure(result, tolerance, id + "_error");
   create_folders(folder);
-  write_text_file(in_folder(folder, id + ".hpp"), fit_code(result, tolerance, FitLanguage::cpp));
-  write_text_file(in_folder(folder, id + ".glsl"), fit_code(result, tolerance, FitLanguage::glsl));
-  write_text_file(in_folder(folder, id + ".hlsl"), fit_code(result, tolerance, FitLanguage::hlsl));
-  write_text_file(in_folder(folder, id + "_error.svg"), plot::to_svg(figure));
-  write_text_file(in_folder(folder, id + "_error.csv"), plot::to_csv(figure));
+  write_text_files({{in_folder(folder, id + ".hpp"), fit_code(result, tolerance, FitLanguage::cpp)},
+                    {in_folder(folder, id + ".glsl"), fit_code(result, tolerance, FitLanguage::glsl)},
+                    {in_folder(folder, id + ".hlsl"), fit_code(result, tolerance, FitLanguage::hlsl)},
+                    {in_folder(folder, id + "_error.svg"), plot::to_svg(figure)},
+                    {in_folder(folder, id + "_error.csv"), plot::to_csv(figure)}});
 }
 
 /// The fit; what the material has that cannot be fitted, is said of the file.

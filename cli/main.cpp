@@ -2,6 +2,8 @@
 /// The command line: global flags, the commands, and errors as exit codes.
 
 #include "command.hpp"
+#include "last_resort.hpp"
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/interrupt.hpp"
 #include "math/kernels/kernels.hpp"
@@ -36,7 +38,7 @@ std::string check_threads(const std::string& text) {
   int count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error == std::errc() && end == text.data() + text.size() && count >= 1) return {};
-  return "found \"" + text + "\", accepted: a whole number >= 1";
+  return "found \"" + echo(text) + "\", accepted: a whole number >= 1";
 }
 
 std::string check_when(const std::string& text) {
@@ -101,12 +103,15 @@ int main(int argc, char** argv) {
   settings.threads = hardware_threads();
   try {
     return parse_and_run(argc, argv, settings);
+  } catch (const Interrupted& error) {
+    cli::print_error(settings, error.what());
+    _exit(error.exit_code()); // work that could not be interrupted may still be running
   } catch (const Error& error) {
     cli::print_error(settings, error.what());
     return error.exit_code();
   } catch (const std::bad_alloc&) {
-    cli::print_error(settings, "memory: there is not enough");
-    return 3;
+    cli::print_error(settings, cli::no_memory);
+    return cli::no_memory_code;
   } catch (const std::exception& error) {
     cli::print_error(settings, std::string("internal: ") + error.what());
     return 2;

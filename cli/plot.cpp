@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "config/load.hpp"
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/text_files.hpp"
 #include "render.hpp"
@@ -29,7 +30,8 @@ std::vector<plot::FigureDescription> load(const std::vector<std::string>& files)
     figures.push_back(config::load_figure(file).figure);
     const auto [other, is_new] = file_of.try_emplace(figures.back().id, file);
     if (!is_new)
-      throw InputError(file + ": /id", "found \"" + other->first + "\", which is the id of " + other->second + " too");
+      throw InputError(file + ": /id",
+                       "found \"" + echo(other->first) + "\", which is the id of " + other->second + " too");
   }
   return figures;
 }
@@ -49,10 +51,12 @@ int run(const PlotFlags& flags, const Settings& settings) {
   for (std::size_t k = 0; k < figures.size(); ++k)
     tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k], store); }});
   run_tasks(tasks, settings);
+  std::vector<NamedText> files;
   for (std::size_t k = 0; k < figures.size(); ++k) {
-    write_text_file(in_folder(flags.output, figures[k].id + ".svg"), rendered[k].svg);
-    write_text_file(in_folder(flags.output, figures[k].id + ".csv"), rendered[k].csv);
+    files.push_back({in_folder(flags.output, figures[k].id + ".svg"), std::move(rendered[k].svg)});
+    files.push_back({in_folder(flags.output, figures[k].id + ".csv"), std::move(rendered[k].csv)});
   }
+  write_text_files(files);
   return 0;
 }
 

@@ -38,12 +38,6 @@ struct Computed {
   std::vector<double> row_seconds;
 };
 
-/// A file of the report, relative to its folder.
-struct OutputText {
-  std::string name;
-  std::string text;
-};
-
 /// What has to be computed for `entry`: a figure at once, a table of properties row by row, of a table of data nothing.
 void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Computed& computed,
                   std::vector<Task>& tasks) {
@@ -68,7 +62,7 @@ void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Co
 
 /// The folder's content, gathered entry by entry.
 struct Content {
-  std::vector<OutputText> files;
+  std::vector<NamedText> files; ///< relative to the folder
   std::vector<plot::PageEntry> page;
   std::vector<config::EntryRecord> records;
 
@@ -101,29 +95,30 @@ struct Content {
   }
 };
 
-/// Removes what an earlier report left in figures/ and tables/. Files of other kinds are not this program's.
-void remove_stale(const std::string& folder, const std::vector<OutputText>& files) {
+/// What an earlier report left in figures/ and tables/. Files of other kinds are not this program's.
+std::vector<fs::path> stale_files(const std::string& folder, const std::vector<NamedText>& files) {
   std::set<fs::path> current;
-  for (const auto& file : files) current.insert(fs::path(folder) / file.name);
+  for (const auto& file : files) current.insert(file.path);
+  std::vector<fs::path> stale;
   std::error_code error;
   for (const char* part : {"figures", "tables"}) {
-    std::vector<fs::path> stale;
     for (const auto& entry : fs::directory_iterator(fs::path(folder) / part, error)) {
       const auto extension = entry.path().extension();
       const bool ours = extension == ".svg" || extension == ".csv" || extension == ".md";
       if (ours && entry.is_regular_file(error) && !current.contains(entry.path())) stale.push_back(entry.path());
     }
-    for (const auto& path : stale) remove_file(path.string());
   }
+  return stale;
 }
 
-/// Nothing is written before everything is computed, and the page that refers to the rest comes last.
-void write(const std::string& folder, std::vector<OutputText> files, const OutputText& record, const OutputText& page) {
+/// The old report stays until the new one is on the disk, whole; the record of what there is comes last.
+void write(const std::string& folder, std::vector<NamedText> files) {
   create_folders(in_folder(folder, "figures"));
   create_folders(in_folder(folder, "tables"));
-  for (const auto& file : files) write_text_file(in_folder(folder, file.name), file.text);
-  remove_stale(folder, files);
-  for (const auto& file : {record, page}) write_text_file(in_folder(folder, file.name), file.text);
+  for (auto& file : files) file.path = in_folder(folder, file.path);
+  const auto stale = stale_files(folder, files);
+  write_text_files(files);
+  for (const auto& path : stale) remove_file(path.string());
 }
 
 int run(const ReportFlags& flags, const Settings& settings) {
@@ -147,10 +142,11 @@ int run(const ReportFlags& flags, const Settings& settings) {
     std::visit([&](const auto& what) { content.add(report.entries[k], what, computed[k]); }, report.entries[k].what);
   const std::string made_by = "Made by brdfplot " + std::string(version) + " from " + report.id + ".json in " +
                               std::to_string(std::lround(std::ceil(seconds))) + " s.";
-  const OutputText record{"report.json", config::report_record(report, std::string(version), content.records, seconds)};
-  const OutputText page{"index.html",
-                        plot::to_html({report.title, report.introduction, made_by, std::move(content.page)})};
-  write(flags.output, std::move(content.files), record, page);
+  content.files.push_back(
+      {"index.html", plot::to_html({report.title, report.introduction, made_by, std::move(content.page)})});
+  content.files.push_back(
+      {"report.json", config::report_record(report, std::string(version), content.records, seconds)});
+  write(flags.output, std::move(content.files));
   return 0;
 }
 

@@ -56,10 +56,12 @@ simulation::SimulationResult trace(const simulation::SceneDescription& scene, co
 void write(const simulation::SimulationResult& result, const std::string& folder) {
   const std::string partial = result.traced < 1 ? ".partial" : "";
   create_folders(folder);
+  std::vector<NamedText> files;
   for (const auto& table : all_tables(result)) {
-    write_text_file(in_folder(folder, table.id + partial + ".csv"), table_csv(table));
-    write_text_file(in_folder(folder, table.id + partial + ".md"), table_markdown(table, result.traced));
+    files.push_back({in_folder(folder, table.id + partial + ".csv"), table_csv(table)});
+    files.push_back({in_folder(folder, table.id + partial + ".md"), table_markdown(table, result.traced)});
   }
+  write_text_files(files);
 }
 
 int run(const SimulateFlags& flags, const Settings& settings) {

@@ -1,6 +1,7 @@
 #include "terminal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iomanip>
 #include <sstream>
@@ -43,12 +44,15 @@ std::size_t columns_of(int fd, std::size_t otherwise) {
 
 } // namespace
 
-void print_error(const Settings& settings, const std::string& message) {
-  std::string text = message;
-  std::ranges::replace_if(
-      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  write_to_stderr((coloured(settings, STDERR_FILENO) ? "brdfplot: \x1b[1;31merror:\x1b[0m " : "brdfplot: error: ") +
-                  text + "\n");
+void print_error(const Settings& settings, std::string_view message) {
+  // Longer than any message: values and paths are cut where they are put in.
+  std::array<char, 16384> line{};
+  const std::string_view start =
+      coloured(settings, STDERR_FILENO) ? "brdfplot: \x1b[1;31merror:\x1b[0m " : "brdfplot: error: ";
+  auto end = std::ranges::copy(start, line.begin()).out;
+  for (const char c : message.substr(0, line.size() - start.size() - 1)) *end++ = c == '\n' || c == '\r' ? ' ' : c;
+  *end++ = '\n';
+  write_to_stderr({line.begin(), end});
 }
 
 bool colours_stdout(const Settings& settings) { return coloured(settings, STDOUT_FILENO); }

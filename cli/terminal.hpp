@@ -7,12 +7,14 @@
 #include <chrono>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brdfplot::cli {
 
-/// `brdfplot: error: MESSAGE` on stderr: one line, whatever the message holds.
-void print_error(const Settings& settings, const std::string& message);
+/// `brdfplot: error: MESSAGE` on stderr: one line, whatever the message holds. Takes no memory, of which there may be
+/// none left.
+void print_error(const Settings& settings, std::string_view message);
 
 /// Whether what is written to stdout may have colour: --color, NO_COLOR and whether it is a terminal decide.
 bool colours_stdout(const Settings& settings);

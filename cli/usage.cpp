@@ -1,5 +1,6 @@
 #include "usage.hpp"
 
+#include "math/echo.hpp"
 #include "microfacet/parameters.hpp"
 
 #include <CLI/CLI.hpp>
@@ -47,7 +48,8 @@ InputError unexpected(const CLI::App& app, const std::string& argument) {
     return {command_line, unknown_name("flag", argument.substr(0, argument.find('=')), flags)};
   }
   if (chosen.empty()) return {command_line, unknown_name("command", argument, command_names(app))};
-  return {command_line, "found \"" + argument + "\", which is one argument too many for " + chosen.front()->get_name()};
+  return {command_line,
+          "found \"" + echo(argument) + "\", which is one argument too many for " + chosen.front()->get_name()};
 }
 
 } // namespace

@@ -10,6 +10,8 @@ build_packages=(g++ cmake ninja-build libcli11-dev nlohmann-json3-dev libeigen3-
   libembree-dev libtbb-dev libfftw3-dev libpng-dev doctest-dev python3)
 test_packages=(glslang-tools libxml2-utils librsvg2-bin chromium python3-jsonschema python3-mpmath)
 style_packages=(clang-format clang-tidy)
+# The sanitizers' build, with libFuzzer.
+sanitizer_packages=(clang libclang-rt-14-dev)
 
 # Installs those of the given Debian packages that are missing.
 require_packages() {

@@ -1,5 +1,7 @@
 #include "analysis/fit_maximin.hpp"
 
+#include "math/interrupt.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -36,6 +38,7 @@ public:
   Maximin solve() {
     Maximin result;
     for (int iteration = 0; iteration < 60; ++iteration) {
+      throw_if_interrupted();
       advance();
       result.value = (a_ * x_.head(n_)).minCoeff();
       // By duality no v reaches more than |A^T w|_1, whatever the w >= 0 of sum 1.

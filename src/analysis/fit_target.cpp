@@ -31,7 +31,7 @@ std::optional<Swept> swept_parameter(const std::string& type) {
       {"gtr",
        {"alpha", 0.05, 1, false, 0, -0.05 / 0.95, 1 / 0.95},
        FitAlpha::parameter,
-       [](const Distribution& d) { return std::get<Gtr>(d).profile.alpha; }},
+       [](const Distribution& d) { return std::get<Gtr>(d).profile.lobe.alpha; }},
       {"student_t",
        {"gamma", 1.75, infinity, true, -1, 0, 0.75},
        FitAlpha::argument,

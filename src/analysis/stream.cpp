@@ -1,6 +1,7 @@
 #include "analysis/stream.hpp"
 
 #include "analysis/stream_evaluator.hpp"
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/interrupt.hpp"
 #include "math/parallel.hpp"
@@ -147,7 +148,8 @@ std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& na
   std::ranges::transform(all, known.begin(), name_of);
   std::vector<StreamQuantity> selected;
   for (const auto& name : names) {
-    if (std::ranges::count(names, name) > 1) throw InputError(where, "quantity \"" + name + "\" is asked for twice");
+    if (std::ranges::count(names, name) > 1)
+      throw InputError(where, "quantity \"" + echo(name) + "\" is asked for twice");
     const auto found = std::ranges::find(known, name);
     if (found == known.end()) throw InputError(where, unknown_name("quantity", name, known));
     selected.push_back(all[static_cast<std::size_t>(found - known.begin())]);

@@ -1,5 +1,6 @@
 #include "analysis/stream_columns.hpp"
 
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/number.hpp"
 
@@ -15,6 +16,9 @@ constexpr std::array<std::string_view, 5> slot_names = {"theta_", "phi_", "x_", 
 constexpr std::size_t first_cartesian = 2;
 constexpr std::array<char, letter_count> letters = {'o', 'i', 'm'};
 
+/// Each is compared with all the others.
+constexpr std::size_t most_columns = 10000;
+
 std::string column_name(std::size_t slot) {
   return std::string(slot_names[slot % slot_names.size()]) + letters[slot / slot_names.size()];
 }
@@ -26,7 +30,9 @@ DirectionColumns::DirectionColumns(const std::string& header, const std::string&
   for (FieldScanner scanner(row); !scanner.at_end();) {
     const std::string name = unquoted(scanner.next());
     if (std::ranges::find(names_, name) != names_.end())
-      throw InputError(where, "column \"" + name + "\" is there twice");
+      throw InputError(where, "column \"" + echo(name) + "\" is there twice");
+    if (names_.size() == most_columns)
+      throw InputError(where, "more than " + std::to_string(most_columns) + " columns; accepted: at most as many");
     std::size_t slot = 0;
     while (slot < no_slot && column_name(slot) != name) ++slot;
     names_.push_back(name);
@@ -87,8 +93,8 @@ std::optional<std::string> DirectionColumns::read_number(std::string_view field,
     read = angle ? parse_angle(text) : parse_number(text);
   }
   if (!read || !std::isfinite(*read))
-    return "column \"" + names_[column] + "\": found \"" + unquoted(field) + "\", accepted: a finite number" +
-           (angle ? " (radians, or with a unit: 80deg)" : "");
+    return "column \"" + echo(names_[column]) + "\": found \"" + echo(unquoted(field)) +
+           "\", accepted: a finite number" + (angle ? " (radians, or with a unit: 80deg)" : "");
   number = *read;
   return std::nullopt;
 }

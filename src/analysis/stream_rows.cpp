@@ -81,8 +81,10 @@ bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") 
 bool RowReader::fill() {
   if (ended_) return false;
   const std::size_t size = rest_.size();
-  rest_.resize(size + block_size_);
-  const std::size_t count = file_.read(rest_.data() + size, block_size_);
+  // A row that is longer than a block is looked through from its start with every piece that comes.
+  const std::size_t step = std::max(block_size_, size);
+  rest_.resize(size + step);
+  const std::size_t count = file_.read(rest_.data() + size, step);
   rest_.resize(size + count);
   ended_ = count == 0;
   if (!started_ && (rest_.size() >= byte_order_mark.size() || ended_)) {

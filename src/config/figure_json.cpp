@@ -1,8 +1,10 @@
+#include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
 #include "config/load.hpp"
 #include "config/shapes.hpp"
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "math/number.hpp"
 
 #include <algorithm>
@@ -107,6 +109,7 @@ private:
                                         std::to_string(values.size()) + " values, accepted: as many");
     const bool family = loops.size() == 1 && values.size() >= 5 && std::ranges::all_of(values, is_numeric);
     for (std::size_t k = 0; k < values.size(); ++k) {
+      throw_if_interrupted();
       Scope inner = scope;
       inner.set(to_setting(variable, values[k]), place + "/values/" + std::to_string(k));
       inner.words[variable] = loop.contains("labels") ? loop["labels"][k].get<std::string>() : word_for(values[k]);
@@ -262,7 +265,9 @@ private:
 
 FigureFile load_figure(const std::string& path) {
   const JsonFile file(path);
-  file.check(*figure_shape());
+  static const ShapePtr shape = figure_shape();
+  file.check(*shape);
+  check_count(file);
   return {Reader(file).figure(), file.text()};
 }
 

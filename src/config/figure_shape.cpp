@@ -1,3 +1,4 @@
+#include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
 #include "config/shapes.hpp"
 #include "plot/simulated.hpp"
@@ -27,10 +28,11 @@ ShapePtr axis() {
 }
 
 ShapePtr for_each() {
-  const ShapePtr one = object({{"variable", text(), true, "set to each of the values in turn"},
-                               {"values", array(setting(), 1), true, "values, or types of a model"},
-                               {"labels", array(text(), 1), false, "what {variable} becomes in labels and titles"}});
-  return either({one, array(one, 1)});
+  const ShapePtr one =
+      object({{"variable", text(), true, "set to each of the values in turn"},
+              {"values", array(setting(), 1, most_series), true, "values, or types of a model"},
+              {"labels", array(text(), 1, most_series), false, "what {variable} becomes in labels and titles"}});
+  return either({one, array(one, 1, 8)});
 }
 
 ShapePtr material_or_name() { return either({material_shape(false), text()}); }
@@ -91,14 +93,15 @@ ShapePtr panel() {
          {"value", axis(), false, "replaces keys of the figure's value"},
          {"material", material_or_name(), false, "of the series that name none"},
          {"at", settings(), false, "what is fixed for all series"},
-         {"series", array(series(), 1), false, "what is drawn"},
+         {"series", array(series(), 1, most_series), false, "what is drawn"},
          {"profile", profile_shape(), false, "profile: what is drawn; replaces keys of the figure's profile"},
          {"compare_to", expression(), false,
           "polar: a lobe simulated by \"surface\", with which that of the first series is compared in numbers"},
-         {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1), false,
+         {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1, 3), false,
           "polar: directions to draw; mirror is the mirror direction of omega_o"},
-         {"contours", array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1),
-          false, "heat map: lines of a level"},
+         {"contours",
+          array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1, 100), false,
+          "heat map: lines of a level"},
          {"for_each", for_each(), false, "one panel for each value"}},
         {{"series"}, {"profile"}});
   });
@@ -123,7 +126,7 @@ ShapePtr figure_shape() {
        {"y", axis(), false, "vertical axis, or radius; heat map: the second swept variable"},
        {"value", axis(), false, "heat map: the colour bar"},
        {"profile", profile_shape(), false, "what all profiles have in common"},
-       {"panels", array(panel(), 1), true, "one or more"}},
+       {"panels", array(panel(), 1, most_panels), true, "one or more"}},
       true);
 }
 

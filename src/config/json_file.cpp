@@ -1,6 +1,8 @@
 #include "config/json_file.hpp"
 
+#include "math/echo.hpp"
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "math/text_files.hpp"
 
 #include <algorithm>
@@ -17,6 +19,10 @@ constexpr std::size_t most_levels = 256;
 
 /// References can double what they lead to, level by level; no figure needs as many.
 constexpr std::size_t most_references = 10000;
+
+/// What one file may hold, and what its references may make of it.
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_values = 1000000;
 
 /// LINE:COLUMN of a byte, from 1; columns count characters, and a byte-order mark is none.
 std::string line_and_column(const std::string& text, std::size_t byte) {
@@ -57,7 +63,8 @@ public:
     Level& level = levels_.back();
     level.key = key;
     if (!level.keys.insert(key).second)
-      throw InputError(path_ + ": " + one_line(pointer()), "the key " + show(key) + " stands twice in one object");
+      throw InputError(path_ + ": " + show_pointer(pointer()), "the key " + show(key) + " stands twice in one object");
+    if (level.keys.size() > most_keys) too_many(most_keys, "keys in one object");
     return true;
   }
   bool parse_error(std::size_t position, const std::string& token, const Json::exception& error) override {
@@ -75,8 +82,18 @@ private:
   };
 
   bool item() {
-    if (!levels_.empty()) ++levels_.back().index;
+    throw_if_interrupted();
+    if (++values_ > most_values) too_many(most_values, "values in one file");
+    if (levels_.empty()) return true;
+    Level& level = levels_.back();
+    if (++level.index > most_items && !level.is_object) too_many(most_items, "items in one array");
     return true;
+  }
+  [[noreturn]] void too_many(std::size_t most, const std::string& what) const {
+    std::string place = pointer();
+    place.erase(place.rfind('/') == std::string::npos ? 0 : place.rfind('/'));
+    throw InputError(path_ + ": " + (place.empty() ? "/" : show_pointer(place)),
+                     "more than " + std::to_string(most) + " " + what + "; accepted: at most as many");
   }
   bool enter(bool is_object) {
     if (levels_.size() == most_levels)
@@ -97,6 +114,7 @@ private:
   const std::string& path_;
   const std::string& text_;
   std::vector<Level> levels_;
+  std::size_t values_ = 0;
 };
 
 Json parse(const std::string& path, const std::string& text) {
@@ -115,7 +133,7 @@ std::string canonical(const std::string& path) {
 /// The text of a file that the reference at `where` names.
 std::string read_referenced(const std::string& file, const std::string& where) {
   try {
-    return read_text_file(file);
+    return read_text_file(file, most_bytes);
   } catch (const FileError& error) {
     throw FileError(where, error.what());
   }
@@ -132,7 +150,7 @@ const Json* find(const Json& document, const Json::json_pointer& place) {
 
 } // namespace
 
-JsonFile::JsonFile(const std::string& path) : path_(path), text_(read_text_file(path)) {
+JsonFile::JsonFile(const std::string& path) : path_(path), text_(read_text_file(path, most_bytes)) {
   std::vector<std::string> trail;
   const Origin here{"", path, ""};
   root_ = expand(parse(path, text_), "", here, trail);
@@ -140,6 +158,9 @@ JsonFile::JsonFile(const std::string& path) : path_(path), text_(read_text_file(
 
 Json JsonFile::expand(const Json& value, const std::string& pointer, const Origin& here,
                       std::vector<std::string>& trail) {
+  throw_if_interrupted();
+  if (++values_ > most_values)
+    throw InputError(path_, "more than " + std::to_string(most_values) + " values where references are followed");
   if (value.is_object() && value.contains("$ref")) return follow(value, pointer, here, trail);
   if (value.is_object()) {
     Json out = Json::object();
@@ -179,22 +200,29 @@ Json JsonFile::follow(const Json& value, const std::string& pointer, const Origi
     throw InputError(where, "more than " + std::to_string(most_levels) + " references lead to each other");
   if (origins_.size() == most_references)
     throw InputError(where, "there are more than " + std::to_string(most_references) + " references");
-  Json document = parse(file, read_referenced(file, where));
+  const Json& document = referenced(file, where);
   const Json* found = find(document, steps);
-  if (found == nullptr) throw InputError(where, "there is nothing at " + show(inside) + " in " + one_line(file));
+  if (found == nullptr) throw InputError(where, "there is nothing at " + show(inside) + " in " + echo(file, 300));
   const Origin there{pointer, file, inside};
   origins_.push_back(there);
   trail.push_back(whole);
-  // What names the schema of a file says nothing of the value that the file holds.
-  if (inside.empty() && document.is_object()) document.erase("$schema");
   Json result = expand(*found, pointer, there, trail);
   trail.pop_back();
   return result;
 }
 
+const Json& JsonFile::referenced(const std::string& file, const std::string& where) {
+  const auto known = documents_.find(file);
+  if (known != documents_.end()) return known->second;
+  Json document = parse(file, read_referenced(file, where));
+  // What names the schema of a file says nothing of the value that the file holds.
+  if (document.is_object()) document.erase("$schema");
+  return documents_.emplace(file, std::move(document)).first->second;
+}
+
 std::string JsonFile::place(const Origin& origin, const std::string& pointer) {
   const std::string at = origin.pointer + pointer.substr(origin.prefix.size());
-  return origin.file + ": " + (at.empty() ? "/" : one_line(at));
+  return origin.file + ": " + (at.empty() ? "/" : show_pointer(at));
 }
 
 JsonFile::Origin JsonFile::origin(const std::string& pointer) const {

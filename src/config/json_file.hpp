@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,16 @@ private:
   };
   Json expand(const Json& value, const std::string& pointer, const Origin& here, std::vector<std::string>& trail);
   Json follow(const Json& value, const std::string& pointer, const Origin& here, std::vector<std::string>& trail);
+  /// The parsed text of a file that the reference at `where` names.
+  const Json& referenced(const std::string& file, const std::string& where);
   static std::string place(const Origin& origin, const std::string& pointer);
   Origin origin(const std::string& pointer) const;
 
   std::string path_, text_;
   Json root_;
   std::vector<Origin> origins_; ///< longest matching prefix counts
+  std::map<std::string, Json> documents_;
+  std::size_t values_ = 0; ///< expanded so far
 };
 
 } // namespace brdfplot::config

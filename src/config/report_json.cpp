@@ -2,7 +2,9 @@
 #include "config/load.hpp"
 #include "config/model_json.hpp"
 #include "config/shapes.hpp"
+#include "math/echo.hpp"
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "math/text_files.hpp"
 #include "microfacet/registry.hpp"
 
@@ -26,19 +28,20 @@ std::vector<ModelSpec> without_requirements() {
 
 ShapePtr table_shape() {
   return named("table", [] {
-    return object({{"id", file_stem(), true, "name of its files"},
-                   {"title", text(), true, "above the table"},
-                   {"caption", text(), true, "what it shows"},
-                   {"maskings", array(choice(names_of(specs_of<Masking>())), 1), true, "masking functions, in order"},
-                   {"distributions",
-                    array(either({choice(names_of(specs_of<Distribution>())),
-                                  named("row_distribution", [] { return model(without_requirements()); })}),
-                          1),
-                    true, "distributions, by name or with their parameters"},
-                   {"alpha", array(number({.min = 0, .open_min = true}), 1), true,
-                    "roughnesses tried of each distribution that has none of its own"},
-                   {"theta_o", array(angle(), 1), true, "angles of the viewer tried"},
-                   {"tolerance", number({.min = 1e-12, .max = 1e-1}), false, "a residual up to this counts as zero"}});
+    return object(
+        {{"id", file_stem(), true, "name of its files"},
+         {"title", text(), true, "above the table"},
+         {"caption", text(), true, "what it shows"},
+         {"maskings", array(choice(names_of(specs_of<Masking>())), 1, 100), true, "masking functions, in order"},
+         {"distributions",
+          array(either({choice(names_of(specs_of<Distribution>())),
+                        named("row_distribution", [] { return model(without_requirements()); })}),
+                1, 100),
+          true, "distributions, by name or with their parameters"},
+         {"alpha", array(number({.min = 0, .open_min = true}), 1, 100), true,
+          "roughnesses tried of each distribution that has none of its own"},
+         {"theta_o", array(angle(), 1, 1000), true, "angles of the viewer tried"},
+         {"tolerance", number({.min = 1e-12, .max = 1e-1}), false, "a residual up to this counts as zero"}});
   });
 }
 
@@ -51,14 +54,22 @@ ShapePtr data_shape() {
   });
 }
 
+/// Of a table of properties: a masking function, a distribution and a roughness each.
+constexpr std::size_t most_materials = 20000;
+
 /// Tells what building would: a distribution that a roughness alone does not define, one out of its bounds.
 void check_models(const PropertyTableDescription& table, const JsonFile& file, const std::string& pointer) {
+  const std::size_t count = table.maskings.size() * table.distributions.size() * table.alpha.size();
+  if (count > most_materials)
+    file.fail(pointer, std::to_string(count) + " materials; accepted: at most " + std::to_string(most_materials) +
+                           " in one table");
   const auto rows = families(table);
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const std::size_t columns = table.distributions.size();
     const std::string distribution = "/distributions/" + std::to_string(row % columns);
     const std::string masking = "/maskings/" + std::to_string(row / columns);
     for (const auto& member : rows[row].members) {
+      throw_if_interrupted();
       try {
         build(member);
       } catch (const MaterialError& error) {
@@ -90,12 +101,18 @@ PropertyTableDescription read_table(const Json& value) {
 
 /// The fields of every row of a CSV. \throws InputError where a row has another number of them than the first.
 std::vector<std::vector<std::string>> read_cells(const std::string& name, const std::string& csv) {
+  constexpr std::size_t most_cells = 100000; // a page shows them all
+  std::size_t cell_count = 0;
   std::vector<std::vector<std::string>> cells;
   for (FieldScanner scanner(csv); !scanner.at_end();) {
     const std::string where = name + ":" + std::to_string(scanner.lines() + 1);
     std::vector<std::string> row;
     do row.push_back(unquoted(scanner.next()));
     while (!scanner.row_ended());
+    throw_if_interrupted();
+    cell_count += row.size();
+    if (cell_count > most_cells)
+      throw InputError(where, "more than " + std::to_string(most_cells) + " fields so far; accepted: at most as many");
     if (!cells.empty() && row.size() != cells.front().size())
       throw InputError(where, "found " + std::to_string(row.size()) + " fields, the header has " +
                                   std::to_string(cells.front().size()));
@@ -111,7 +128,7 @@ DataTable read_data(const JsonFile& file, const std::string& pointer, const Json
   DataTable table{value["id"].get<std::string>(),
                   value["title"].get<std::string>(),
                   value["caption"].get<std::string>(),
-                  read_text_file(name),
+                  read_text_file(name, std::size_t{16} << 20),
                   {}};
   table.cells = read_cells(name, table.csv);
   return table;
@@ -127,13 +144,14 @@ ShapePtr report_shape() {
                                                   {{"figure"}, {"table"}, {"data"}});
   return object({{"title", text(), true, "of the page"},
                  {"introduction", text(), false, "paragraphs, separated by an empty line"},
-                 {"entries", array(entry, 1), true, "figures and tables, in order"}},
+                 {"entries", array(entry, 1, 1000), true, "figures and tables, in order"}},
                 true);
 }
 
 ReportFile load_report(const std::string& path) {
   const JsonFile file(path);
-  file.check(*report_shape());
+  static const ShapePtr shape = report_shape();
+  file.check(*shape);
   const Json& root = file.root();
   ReportFile report{std::filesystem::path(path).stem().string(),
                     root["title"].get<std::string>(),
@@ -164,7 +182,7 @@ ReportFile load_report(const std::string& path) {
       out.what = std::move(table);
       out.json = entry["table"].dump(2) + "\n";
     }
-    if (!ids.insert(id).second) file.fail(pointer, "the id \"" + id + "\" stands twice in this report");
+    if (!ids.insert(id).second) file.fail(pointer, "the id \"" + echo(id) + "\" stands twice in this report");
     report.entries.push_back(std::move(out));
   }
   return report;

@@ -10,7 +10,7 @@ namespace brdfplot::config {
 
 namespace {
 
-ShapePtr angles() { return either({angle(), array(angle(), 1)}); }
+ShapePtr angles() { return either({angle(), array(angle(), 1, 1000)}); }
 
 ShapePtr measure_shape(const simulation::MeasureSpec& spec) {
   std::vector<Field> fields = {
@@ -75,7 +75,8 @@ ShapePtr scene_shape() {
 
 simulation::SceneDescription load_scene(const std::string& path) {
   const JsonFile file(path);
-  file.check(*scene_shape());
+  static const ShapePtr shape = scene_shape();
+  file.check(*shape);
   const Json& root = file.root();
   simulation::SceneDescription scene;
   scene.name = root.value("name", std::filesystem::path(path).stem().string());

@@ -1,8 +1,11 @@
 #include "config/schema.hpp"
 
+#include "math/interrupt.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <mutex>
 
 namespace brdfplot::config {
 
@@ -20,20 +23,23 @@ public:
     expect(value.is_array(), value, pointer, describe());
     if (value.size() < min_ || value.size() > max_)
       throw BadValue{pointer, "found " + std::to_string(value.size()) + " items, accepted: " + describe()};
-    for (std::size_t k = 0; k < value.size(); ++k) item_->check(value[k], step(pointer, std::to_string(k)));
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      throw_if_interrupted();
+      item_->check(value[k], step(pointer, std::to_string(k)));
+    }
   }
   Json schema(Json& definitions) const override {
     Json out = {{"type", "array"}, {"items", or_reference(item_->schema(definitions))}};
     if (min_ > 0) out["minItems"] = min_;
-    if (max_ < 1000000) out["maxItems"] = max_;
+    out["maxItems"] = max_;
     return out;
   }
   bool matches(const Json& value) const override { return value.is_array(); }
   std::string describe() const override {
-    const std::string count = min_ == max_     ? std::to_string(min_) + " items"
-                              : max_ < 1000000 ? std::to_string(min_) + " to " + std::to_string(max_) + " items"
-                              : min_ > 0       ? "at least " + std::to_string(min_) + " item" + (min_ > 1 ? "s" : "")
-                                               : "items";
+    const std::string count = min_ == max_        ? std::to_string(min_) + " items"
+                              : max_ < most_items ? std::to_string(min_) + " to " + std::to_string(max_) + " items"
+                              : min_ > 0          ? "at least " + std::to_string(min_) + " item" + (min_ > 1 ? "s" : "")
+                                                  : "items";
     return "an array of " + count + ", each " + item_->describe();
   }
 
@@ -213,21 +219,31 @@ private:
 class Named : public Shape {
 public:
   Named(std::string name, std::function<ShapePtr()> make) : name_(std::move(name)), make_(std::move(make)) {}
-  void check(const Json& value, const std::string& pointer) const override { make_()->check(value, pointer); }
+  void check(const Json& value, const std::string& pointer) const override { made().check(value, pointer); }
   Json schema(Json& definitions) const override {
     if (!definitions.contains(name_)) {
       definitions[name_] = true; // stands in while the definition is being written
-      Json definition = make_()->schema(definitions);
+      Json definition = made().schema(definitions);
       definitions[name_] = std::move(definition);
     }
     return {{"$ref", "#/$defs/" + name_}};
   }
-  bool matches(const Json& value) const override { return make_()->matches(value); }
+  bool matches(const Json& value) const override { return made().matches(value); }
   std::string describe() const override { return "a " + name_; }
 
 private:
+  /// Made when it is first needed, since it may contain itself, and then once: it may be that of many values.
+  const Shape& made() const {
+    // Not std::call_once: what is thrown for want of memory could not pass through the C library's pthread_once.
+    const std::lock_guard lock(mutex_);
+    if (!made_) made_ = make_();
+    return *made_;
+  }
+
   std::string name_;
   std::function<ShapePtr()> make_;
+  mutable std::mutex mutex_;
+  mutable ShapePtr made_;
 };
 
 ShapePtr parameter(const ParameterSpec& spec) {
@@ -243,7 +259,7 @@ ShapePtr parameter(const ParameterSpec& spec) {
                          return object({{"weight", number(spec.bounds), true, "share of the sum"},
                                         {"distribution", model(spec.models()), true, "what has this share"}});
                        }),
-                 1);
+                 1, 64);
   case ParameterKind::choice: break;
   }
   return choice(spec.choices);

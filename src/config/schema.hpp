@@ -22,6 +22,11 @@ struct BadValue {
   std::string what;
 };
 
+/// More values in an array, and more keys in an object, are no file that a person or a sensible program wrote. They are
+/// refused while they are read, since each key is compared with all before it.
+inline constexpr std::size_t most_items = 10000;
+inline constexpr std::size_t most_keys = 1000;
+
 class Shape;
 using ShapePtr = std::shared_ptr<const Shape>;
 
@@ -50,12 +55,13 @@ ShapePtr number(Bounds bounds = {});
 ShapePtr whole_number(int min, int max);
 /// Radians as a number, or a string with a unit: "80deg", "1.5rad".
 ShapePtr angle();
+/// Of up to 10000 characters: longer ones are no titles, and would take long to lay out.
 ShapePtr text();
-/// A name of files: letters, digits, `-`, `_` and, not in front, `.`.
+/// A name of files: up to 200 letters, digits, `-`, `_` and, not in front, `.`.
 ShapePtr file_stem();
 ShapePtr choice(std::vector<std::string> accepted);
 ShapePtr boolean();
-ShapePtr array(ShapePtr item, std::size_t min = 0, std::size_t max = 1000000);
+ShapePtr array(ShapePtr item, std::size_t min = 0, std::size_t max = most_items);
 /// Unknown keys are errors, but "$schema" is always accepted at the top of a file (`top`).
 ShapePtr object(std::vector<Field> fields, bool top = false);
 /// An object with one of the given sets of keys.
@@ -84,8 +90,8 @@ std::string show(const Json& value);
 /// At most `most` bytes of a text, cut between characters.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// The text with its control characters as JSON escapes them, so that an error stays on one line.
-std::string one_line(const std::string& text);
+/// A pointer as errors show it: on one line, with long keys cut.
+std::string show_pointer(const std::string& pointer);
 
 /// A pointer's next step, escaped (RFC 6901).
 std::string step(const std::string& pointer, const std::string& key);

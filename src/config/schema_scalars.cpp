@@ -70,10 +70,19 @@ class Text : public Shape {
 public:
   void check(const Json& value, const std::string& pointer) const override {
     expect(value.is_string(), value, pointer, describe());
+    expect(characters(value.get_ref<const std::string&>()) <= most_, value, pointer,
+           "a string of up to " + std::to_string(most_) + " characters");
   }
-  Json schema(Json&) const override { return {{"type", "string"}}; }
+  Json schema(Json&) const override { return {{"type", "string"}, {"maxLength", most_}}; }
   bool matches(const Json& value) const override { return value.is_string(); }
   std::string describe() const override { return "a string"; }
+
+private:
+  static std::size_t characters(const std::string& text) {
+    const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+    return static_cast<std::size_t>(std::ranges::count_if(text, starts));
+  }
+  static constexpr std::size_t most_ = 10000;
 };
 
 class FileStem : public Shape {
@@ -81,14 +90,18 @@ public:
   void check(const Json& value, const std::string& pointer) const override {
     expect(value.is_string() && is_stem(value.get<std::string>()), value, pointer, describe());
   }
-  Json schema(Json&) const override { return {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-][A-Za-z0-9_.-]*$"}}; }
+  Json schema(Json&) const override {
+    return {{"type", "string"}, {"maxLength", most_}, {"pattern", "^[A-Za-z0-9_-][A-Za-z0-9_.-]*$"}};
+  }
   bool matches(const Json& value) const override { return value.is_string(); }
-  std::string describe() const override { return "letters, digits, -, _ and ., since it names files"; }
+  std::string describe() const override { return "letters, digits, -, _ and ., at most 200, since it names files"; }
 
 private:
+  static constexpr std::size_t most_ = 200;
   static bool is_stem(const std::string& word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
-    return !word.empty() && word.front() != '.' && word.find_first_not_of(plain) == std::string::npos;
+    return !word.empty() && word.size() <= most_ && word.front() != '.' &&
+           word.find_first_not_of(plain) == std::string::npos;
   }
 };
 

@@ -1,9 +1,11 @@
 #include "config/schema.hpp"
 
+#include "math/echo.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
+#include <string_view>
 
 namespace brdfplot::config {
 
@@ -14,6 +16,7 @@ void expect(bool good, const Json& value, const std::string& pointer, const std:
 std::string show(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return "an array of " + std::to_string(value.size());
+  if (value.is_string()) return Json(cut(value.get_ref<const std::string&>())).dump();
   return shortened(value.dump(), 60);
 }
 
@@ -24,19 +27,14 @@ std::string shortened(const std::string& text, std::size_t most) {
   return text.substr(0, end) + "...";
 }
 
-std::string one_line(const std::string& text) {
+std::string show_pointer(const std::string& pointer) {
   std::string out;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code >= 0x20 && code != 0x7F) {
-      out += c;
-      continue;
-    }
-    std::array<char, 8> escape{};
-    std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(code));
-    out += c == '\n' ? "\\n" : c == '\t' ? "\\t" : escape.data();
+  for (std::size_t begin = 0; begin < pointer.size();) {
+    const std::size_t end = std::min(pointer.find('/', begin + 1), pointer.size());
+    out += echo(std::string_view(pointer).substr(begin, end - begin));
+    begin = end;
   }
-  return out;
+  return cut(out, 600);
 }
 
 std::string step(const std::string& pointer, const std::string& key) {

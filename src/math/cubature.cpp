@@ -1,5 +1,7 @@
 #include "math/cubature.hpp"
 
+#include "math/interrupt.hpp"
+
 #include "math/gauss_kronrod.hpp"
 
 #include <algorithm>
@@ -98,6 +100,7 @@ bool too_small(const Rectangle& r) {
 
 Estimate integrate_plane(const PlaneFunction& f, std::span<const Rectangle> rectangles, const Tolerance& tolerance,
                          std::size_t max_evaluations) {
+  throw_if_interrupted();
   Cubature cubature(f);
   std::vector<Cell> heap; // the largest error on top
   const auto add = [&](const Cell& cell) {

@@ -1,5 +1,6 @@
 #include "math/formula.hpp"
 
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 
 #include <muParser.h>
@@ -91,7 +92,7 @@ std::string explained(const mu::ParserError& error) {
   if (what.ends_with('.')) what.pop_back();
   if (error.GetPos() >= 0 && what.find("position") == std::string::npos)
     what += " at position " + std::to_string(error.GetPos());
-  return what;
+  return echo(what, 200);
 }
 
 /// Where `text` assigns to a variable, which muParser allows: an `=` that is no part of a comparison.
@@ -123,7 +124,7 @@ std::optional<FormulaProblem> Formula::problem(const std::string& text, const st
 }
 
 Formula::Formula(std::string text, std::vector<std::string> variables) : text_(std::move(text)) {
-  if (const auto wrong = problem(text_, variables)) throw InputError("formula \"" + text_ + "\"", wrong->what);
+  if (const auto wrong = problem(text_, variables)) throw InputError("formula \"" + echo(text_) + "\"", wrong->what);
   program_ = table().add({text_, std::move(variables)});
 }
 

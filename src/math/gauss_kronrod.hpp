@@ -57,15 +57,16 @@ template <std::size_t N>
 double error_of(const RuleSums& sums) {
   using Rule = GaussKronrod<N>;
   const double rounding = 50 * std::numeric_limits<double>::epsilon() * sums.magnitude;
-  const double last = std::max(sums.last, sums.next_to_last);
+  // The last ones may be small by accident: what those before make one expect counts too.
+  const double falling = sums.next_to_last < sums.before ? sums.next_to_last / sums.before : 1;
+  const double last = std::max(sums.last, sums.next_to_last * falling);
   if (!(std::max(sums.gap, 4 * last) > rounding)) return rounding;
-  const auto log_rate = [](double factor, double later, double earlier, double degrees) {
+  const auto log_rate = [](double factor, double earlier, double later, double degrees) {
     return factor * later < earlier ? std::log(factor * later / earlier) / degrees : 0;
   };
-  const double rate =
-      std::max(log_rate(2, last, sums.before, Rule::apart), log_rate(1.2, sums.last, sums.next_to_last, 2));
+  const double rate = std::max(log_rate(2, sums.before, last, Rule::apart), log_rate(1.2, sums.next_to_last, last, 2));
   constexpr double from_gauss = Rule::gauss_count + 2;
-  constexpr double from_last = Rule::exact_degree + 1 - (Rule::last_degree - 1.5);
+  constexpr double from_last = Rule::exact_degree + 1 - (Rule::last_degree - 0.5);
   return std::max(
       {sums.gap * std::exp(from_gauss * rate), 4 * last * std::exp(from_last * rate), last / 300, rounding});
 }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -17,9 +19,11 @@ int hardware_threads() { return static_cast<int>(std::max(1U, std::thread::hardw
 void run_on_threads(int threads, const std::function<void()>& work) {
   std::vector<std::jthread> others;
   try {
-    for (int k = 1; k < threads; ++k) others.emplace_back(work);
+    for (int k = 1; k < threads; ++k) others.emplace_back(std::cref(work));
   } catch (const std::system_error&) {
     // The system gives no more threads: those that there are do all the work.
+  } catch (const std::bad_alloc&) {
+    // Nor does it for want of memory.
   }
   work();
 }

@@ -1,5 +1,7 @@
 #include "math/quadrature.hpp"
 
+#include "math/interrupt.hpp"
+
 #include "math/gauss_kronrod.hpp"
 
 #include <algorithm>
@@ -75,6 +77,7 @@ Estimate integrate(const BatchFunction& f, std::span<const double> points, const
     estimate.evaluations += node_count;
   }
   while (!sum() && estimate.evaluations < max_evaluations) {
+    throw_if_interrupted();
     std::pop_heap(heap.begin(), heap.end());
     const Interval worst = heap.back();
     if (worst.b - worst.a < 1e-14 * std::max(std::fabs(worst.a), std::fabs(worst.b))) break;

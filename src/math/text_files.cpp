@@ -1,11 +1,13 @@
 #include "math/text_files.hpp"
 
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/interrupt.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <deque>
 #include <filesystem>
 #include <system_error>
 
@@ -23,6 +25,9 @@ constexpr int patience_ms = 100;
 
 /// What a pipe that is ready to be written takes at least, without waiting (PIPE_BUF of Linux).
 constexpr std::size_t pipe_chunk = 4096;
+
+/// Longer paths than these are cut in errors.
+constexpr std::size_t shown_path = 300;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -45,7 +50,7 @@ bool is_ready(int fd, short event) {
 
 InputFile::InputFile(const std::string& path) : name_(path) {
   fd_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd_ < 0) throw FileError(name_, "cannot read: " + reason(errno));
+  if (fd_ < 0) throw FileError(echo(name_, shown_path), "cannot read: " + reason(errno));
   waits_ = !is_regular(fd_);
 }
 
@@ -106,7 +111,7 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
-void OutputFile::fail(int error) const { throw FileError(name_, "cannot write: " + reason(error)); }
+void OutputFile::fail(int error) const { throw FileError(echo(name_, shown_path), "cannot write: " + reason(error)); }
 
 void OutputFile::write(std::string_view text) {
   while (!text.empty()) {
@@ -122,6 +127,11 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::commit() {
+  finish();
+  publish();
+}
+
+void OutputFile::finish() {
   throw_if_interrupted();
   if (target_.empty()) {
     // Closing is when a network file system tells of a failure; stdout itself stays open for whoever writes next.
@@ -133,11 +143,15 @@ void OutputFile::commit() {
   const int fd = fd_;
   fd_ = -1;
   if (close(fd) != 0) fail(errno);
+}
+
+void OutputFile::publish() {
+  if (target_.empty()) return;
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
 }
 
-std::string read_text_file(const std::string& path) {
+std::string read_text_file(const std::string& path, std::size_t most) {
   InputFile file(path);
   std::string text;
   constexpr std::size_t step = 1 << 16;
@@ -145,6 +159,8 @@ std::string read_text_file(const std::string& path) {
     text.resize(size + step);
     const std::size_t count = file.read(text.data() + size, step);
     text.resize(size += count);
+    if (size > most)
+      throw InputError(echo(path, shown_path), "has more than " + std::to_string(most) + " bytes; accepted: fewer");
     if (count == 0) return text;
   }
 }
@@ -155,12 +171,29 @@ void write_text_file(const std::string& path, std::string_view text) {
   file.commit();
 }
 
+void write_text_files(const std::vector<NamedText>& files) {
+  std::deque<OutputFile> written;
+  for (const auto& [path, text] : files) {
+    written.emplace_back(path).write(text);
+    written.back().finish();
+  }
+  for (std::size_t k = 0; k < written.size(); ++k) {
+    try {
+      written[k].publish();
+    } catch (const FileError& error) {
+      if (k == 0) throw;
+      throw FileError(error.what(), std::to_string(k) + " of the " + std::to_string(written.size()) +
+                                        " files are new, the others are as they were");
+    }
+  }
+}
+
 void create_folders(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (!error && !std::filesystem::is_directory(path, error) && !error)
     error = std::make_error_code(std::errc::not_a_directory);
-  if (error) throw FileError(path, "cannot create the folder: " + reason(error.value()));
+  if (error) throw FileError(echo(path, shown_path), "cannot create the folder: " + reason(error.value()));
 }
 
 void remove_file(const std::string& path) {

@@ -9,14 +9,26 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace brdfplot {
 
-/// The whole of a file.
-std::string read_text_file(const std::string& path);
+/// The whole of a file. \throws InputError when it has more bytes than `most`.
+std::string read_text_file(const std::string& path, std::size_t most = std::size_t{1} << 40);
 
 /// Writes a file at once (see OutputFile).
 void write_text_file(const std::string& path, std::string_view text);
+
+/// A file with what it is to hold.
+struct NamedText {
+  std::string path;
+  std::string text;
+};
+
+/// Writes several files that belong together: all of them beside their places first, then they are renamed, in their
+/// order. What fails or is interrupted before that leaves all of the old ones; should a renaming fail, the error says
+/// how many are new.
+void write_text_files(const std::vector<NamedText>& files);
 
 /// Creates a folder and those above it, where they are missing.
 void create_folders(const std::string& path);
@@ -49,8 +61,9 @@ private:
 };
 
 /// A file being written, or stdout (`-`). A regular file is written beside its place, under a temporary name;
-/// commit() flushes it to the disk and renames it. Without commit() the destructor removes it, and what stood in the
-/// place before stays. Links are followed; what is no regular file (a device, a pipe) is written to as it is.
+/// commit() flushes it to the disk and renames it, as finish() and publish() do one after the other. Without them the
+/// destructor removes it, and what stood in the place before stays. Links are followed; what is no regular file (a
+/// device, a pipe) is written to as it is.
 class OutputFile {
 public:
   explicit OutputFile(const std::string& path);
@@ -61,6 +74,10 @@ public:
   const std::string& name() const { return name_; }
   void write(std::string_view text);
   void commit();
+  /// Flushes it to the disk: what a disk tells of late is told here.
+  void finish();
+  /// Renames it after finish().
+  void publish();
 
 private:
   void open_temporary();

@@ -1,5 +1,6 @@
 #include "microfacet/parameters.hpp"
 
+#include "math/echo.hpp"
 #include "math/formula.hpp"
 #include "math/number.hpp"
 
@@ -10,6 +11,10 @@
 namespace brdfplot {
 
 namespace {
+
+/// Names that errors list, and how long one may be to be taken for a misspelt one.
+constexpr std::size_t most_names = 60;
+constexpr std::size_t longest_name = 100;
 
 std::string join(const std::vector<std::string>& words, std::string_view separator) {
   std::string out;
@@ -30,10 +35,10 @@ std::vector<std::string> keys_of(const ModelSpec& spec) {
 std::optional<std::string> problem_with_formula(const std::string& text, const std::vector<std::string>& variables) {
   const auto problem = Formula::problem(text, variables);
   if (!problem) return std::nullopt;
-  if (problem->unknown.empty()) return "the formula \"" + text + "\": " + problem->what;
+  if (problem->unknown.empty()) return "the formula \"" + echo(text) + "\": " + problem->what;
   std::vector<std::string> names = variables;
   for (auto& name : names_in_formulas()) names.push_back(std::move(name));
-  return "the formula \"" + text + "\": " + problem->what + "; " + unknown_name("name", problem->unknown, names);
+  return "the formula \"" + echo(text) + "\": " + problem->what + "; " + unknown_name("name", problem->unknown, names);
 }
 
 std::optional<std::string> problem_with(const ParameterSpec& parameter, const Value& value) {
@@ -157,6 +162,7 @@ std::variant<Values, ParameterError> complete(const ModelSpec& spec, const Value
 }
 
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& accepted) {
+  if (name.size() > longest_name) return std::nullopt;
   const auto distance = [&](std::string_view other) {
     std::vector<std::size_t> row(other.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -177,10 +183,14 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
 }
 
 std::string unknown_name(std::string_view what, std::string_view name, const std::vector<std::string>& accepted) {
-  std::string text = "unknown " + std::string(what) + " \"" + std::string(name) + "\"";
+  std::string text = "unknown " + std::string(what) + " \"" + echo(name) + "\"";
   const auto near = nearest(name, accepted);
-  text += near ? "; did you mean \"" + *near + "\"?" : ";";
-  return text + " accepted: " + (accepted.empty() ? "none" : join(accepted, ", "));
+  text += near ? "; did you mean \"" + echo(*near) + "\"?" : ";";
+  if (accepted.empty()) return text + " accepted: none";
+  std::vector<std::string> shown;
+  for (std::size_t k = 0; k < std::min(accepted.size(), most_names); ++k) shown.push_back(echo(accepted[k]));
+  if (accepted.size() > most_names) shown.push_back("and " + std::to_string(accepted.size() - most_names) + " more");
+  return text + " accepted: " + join(shown, ", ");
 }
 
 } // namespace brdfplot

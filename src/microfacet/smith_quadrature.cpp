@@ -2,6 +2,7 @@
 
 #include "math/atan_deficit.hpp"
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "math/number.hpp"
 #include "math/quadrature.hpp"
 
@@ -93,6 +94,7 @@ Estimate bisection(const SmithIntegrand& integrand, double a, const DensityHints
 } // namespace
 
 double a_lambda_by_quadrature(const LogDensity& log_density, double a, const DensityHints& hints) {
+  throw_if_interrupted();
   if (a > 1e75) return 0;
   const SmithIntegrand integrand(log_density, a, hints);
   // Below e^-2000 the result is 0 whatever the integral is, and the rounding of the logarithm leaves no digits of that.

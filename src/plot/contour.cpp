@@ -1,5 +1,7 @@
 #include "plot/contour.hpp"
 
+#include "math/interrupt.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -93,6 +95,7 @@ std::vector<Contour::Line> level_lines(const std::function<double(double, double
   std::vector<Contour::Line> lines;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     if (used[k]) continue;
+    throw_if_interrupted();
     used[k] = true;
     std::vector<Edge> chain = follow(segments[k][0], ends, segments, used);
     std::ranges::reverse(chain);

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "math/interrupt.hpp"
 #include "math/number.hpp"
 #include "plot/model.hpp"
 #include "plot/text.hpp"
@@ -65,6 +66,7 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
   const bool profile = panel.sketch.has_value();
   const auto title = field(panel.title);
   for (const auto& series : panel.series) {
+    throw_if_interrupted();
     const auto start = title + "," + field(series.label) + ",";
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       out += start;
@@ -89,6 +91,7 @@ void append_notes(std::string& out, const Panel& panel, bool errors) {
 }
 
 void append_grid(std::string& out, const std::string& title, const Grid& grid) {
+  throw_if_interrupted();
   const std::size_t width = grid.x.size();
   for (std::size_t i = 0; i < std::min(grid.value.size(), width * grid.y.size()); ++i) {
     out += title;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "math/interrupt.hpp"
 #include "math/number.hpp"
 #include "plot/html_style.hpp"
 #include "plot/page.hpp"
@@ -232,6 +233,7 @@ std::string to_html(const Page& page) {
   append_introduction(out, page);
   out += "<main>\n";
   for (std::size_t i = 0; i < numbered.size(); ++i) {
+    throw_if_interrupted();
     const auto& section = page.entries[i].section;
     if (starts_section(page, i)) {
       if (i != 0) out += "</section>\n";

@@ -1,6 +1,7 @@
 #include "plot/profile.hpp"
 
 #include "math/errors.hpp"
+#include "math/interrupt.hpp"
 #include "microfacet/distributions/beckmann.hpp"
 
 #include <algorithm>
@@ -188,9 +189,11 @@ std::optional<Meeting> meeting(const Profile& profile, std::ptrdiff_t index, dou
   const double drop = projected_mesosurface(profile, theta);
   const Segment here = profile.facet(static_cast<std::ptrdiff_t>(profile.base(index)));
   const double shift = across(start.x0, start.h0) - across(here.part(fraction, 1).x0, here.part(fraction, 1).h0);
-  const auto periods = static_cast<std::ptrdiff_t>(std::ceil(std::max(highest + shift - level, 0.0) / drop)) + 1;
-  const std::ptrdiff_t most = periods * static_cast<std::ptrdiff_t>(profile.facets.size());
-  for (std::ptrdiff_t k = 1; k <= most; ++k) {
+  // Near the horizon more than an integer holds.
+  const double periods = std::ceil(std::max(highest + shift - level, 0.0) / drop) + 1;
+  const double most = periods * static_cast<double>(profile.facets.size());
+  for (std::ptrdiff_t k = 1; static_cast<double>(k) <= most; ++k) {
+    if (k % 1024 == 0) throw_if_interrupted();
     const Segment s = profile.facet(left ? index - k : index + k);
     const double near = left ? across(s.x1, s.h1) : across(s.x0, s.h0);
     const double far = left ? across(s.x0, s.h0) : across(s.x1, s.h1);

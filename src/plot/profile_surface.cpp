@@ -2,6 +2,7 @@
 
 #include "brdf/evaluate.hpp"
 #include "math/errors.hpp"
+#include "math/interruptible.hpp"
 #include "math/number.hpp"
 #include "math/random.hpp"
 #include "microfacet/registry.hpp"
@@ -114,7 +115,7 @@ Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_
   std::visit(
       [&](const auto& of) {
         if constexpr (requires { of.realise(seed, 0); }) {
-          auto realisation = of.realise(seed, 0);
+          auto realisation = interruptible([of, seed] { return of.realise(seed, 0); });
           fields_ = std::move(realisation.fields);
           correlation_length_ = realisation.correlation_length;
           alpha_ = alpha_along(of.asked().value(), along_y);
@@ -183,6 +184,7 @@ std::size_t Cuts::correlation_length() const {
 double autocorrelation(const Cuts& cuts, std::size_t distance) {
   double products = 0, squares = 0;
   for (std::size_t k = 0; k < cuts.count(); ++k) {
+    throw_if_interrupted();
     const Profile profile = cuts.profile(k);
     const std::size_t count = profile.facets.size();
     const auto height = [&](std::size_t i) {

@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "math/interrupt.hpp"
 #include "plot/number_text.hpp"
 #include "plot/svg_plan.hpp"
 
@@ -68,6 +69,7 @@ std::string to_svg(const Figure& figure) {
   svg.lines({page_margin, page_margin}, plan.title, Anchor::start, "bp-ink bp-title");
   draw_legend(svg, plan.legend, {page_margin, plan.legend_top});
   for (const auto& panel : plan.panels) {
+    throw_if_interrupted();
     svg.open_group("bp-panel");
     draw_head(svg, panel);
     switch (figure.kind) {

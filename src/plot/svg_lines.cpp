@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "math/interrupt.hpp"
 #include "plot/svg_plan.hpp"
 
 namespace brdfplot::plot {
@@ -119,6 +120,7 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
   svg.open_clip(plan.id + "-clip", region);
   bool empty = true;
   for (std::size_t i = 0; i < plan.panel->series.size(); ++i) {
+    throw_if_interrupted();
     const auto& series = plan.panel->series[i];
     PathData path;
     append_curve(path, plan, series.x, series.y);

@@ -1,5 +1,7 @@
 #include "plot/svg_plan.hpp"
 
+#include "math/interrupt.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -159,6 +161,7 @@ FigurePlan plan_figure(const Figure& figure) {
     measure_cartesian(figure, plan, width - (plan.columns - 1) * column_gap);
   }
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    throw_if_interrupted();
     auto& panel = plan.panels[i];
     const double room = panel.plot.w + panel.insets.left + panel.insets.right - 8;
     panel.title = fit_text(panel.panel->title, font::panel_title, room, 2, true);

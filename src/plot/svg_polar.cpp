@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "math/interrupt.hpp"
 #include "plot/svg_polar.hpp"
 
 namespace brdfplot::plot {
@@ -75,6 +76,7 @@ void draw_band(SvgWriter& svg, const PanelPlan& plan, const Disc& disc, const Se
 void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
   const auto& panel = *plan.panel;
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    throw_if_interrupted();
     const auto& series = panel.series[i];
     PathData path;
     std::vector<Point> points;

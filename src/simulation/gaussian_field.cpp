@@ -1,5 +1,7 @@
 #include "simulation/gaussian_field.hpp"
 
+#include "math/interrupt.hpp"
+#include "math/memory.hpp"
 #include "math/random.hpp"
 #include "simulation/streams.hpp"
 
@@ -12,6 +14,7 @@
 #include <mutex>
 #include <numbers>
 #include <span>
+#include <string>
 
 namespace brdfplot::simulation {
 
@@ -68,6 +71,7 @@ public:
     double sum = 0;
     Covariance slopes;
     for (int row = 0; row < request_.ny; ++row) {
+      throw_if_interrupted();
       const double y = ky(row), one_y = 1 - std::cos(y), sin_y = std::sin(y);
       for (int column = 0; column < columns_; ++column) {
         if (!used(row, column)) continue;
@@ -139,11 +143,15 @@ std::vector<double> transform(int nx, int ny, std::span<Complex> amplitudes) {
 } // namespace
 
 Field gaussian_field(const FieldRequest& request, std::uint64_t seed, std::uint64_t realisation) {
+  // Powers, amplitudes and heights at once.
+  require_memory(20.0 * request.nx * request.ny,
+                 "a surface of " + std::to_string(request.nx) + " by " + std::to_string(request.ny) + " heights");
   Waves waves(request);
   const double rms = std::sqrt(solve_for_slopes(waves, request));
   const auto columns = static_cast<std::size_t>(waves.columns());
   std::vector<Complex> amplitudes(columns * static_cast<std::size_t>(request.ny));
   for (int row = 0; row < request.ny; ++row) {
+    throw_if_interrupted();
     Random random(seed, stream(Purpose::surface, realisation, static_cast<std::uint64_t>(row)));
     for (int column = 0; column < waves.columns(); ++column) {
       const double phase = 2 * std::numbers::pi * random.uniform();

@@ -1,6 +1,7 @@
 #include "simulation/image.hpp"
 
 #include "math/errors.hpp"
+#include "math/number.hpp"
 #include "math/text_files.hpp"
 
 #include <png.h>
@@ -75,10 +76,10 @@ Decoded decode(std::string_view bytes, png_bytepp rows) {
 }
 
 void check_size(const std::string& path, double width, double height) {
-  if (width >= 2 && height >= 2 && width <= largest_side && height <= largest_side) return;
-  throw InputError(path, "found " + std::to_string(static_cast<long long>(width)) + " by " +
-                             std::to_string(static_cast<long long>(height)) +
-                             " pixels; accepted: 2 to 8192 along each side");
+  const auto good = [](double side) { return side >= 2 && side <= largest_side && side == std::floor(side); };
+  if (good(width) && good(height)) return;
+  throw InputError(path, "found " + format_number(width) + " by " + format_number(height) +
+                             " pixels; accepted: a whole number from 2 to 8192 along each side");
 }
 
 Image read_png(const std::string& path, std::string_view bytes) {

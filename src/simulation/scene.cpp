@@ -1,5 +1,6 @@
 #include "simulation/scene.hpp"
 
+#include "math/echo.hpp"
 #include "math/number.hpp"
 #include "math/text_files.hpp"
 #include "microfacet/registry.hpp"
@@ -127,7 +128,8 @@ void check(const SceneDescription& scene) {
     check_measure(scene.measures[k], pointer);
     const std::string& id = scene.measures[k].id;
     if (id == "surface") throw SceneError(pointer + "/id", "\"surface\" is the table of the surface");
-    if (!ids.insert(id).second) throw SceneError(pointer + "/id", "the id \"" + id + "\" stands twice in this scene");
+    if (!ids.insert(id).second)
+      throw SceneError(pointer + "/id", "the id \"" + echo(id) + "\" stands twice in this scene");
   }
 }
 

@@ -1,5 +1,7 @@
 #include "simulation/shadow_rays.hpp"
 
+#include "math/interrupt.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -54,7 +56,11 @@ void step(const Common& common, Rays& rays) {
   Rays* __restrict const r = &rays;
   // All bits or none: GCC vectorizes no choice by a bool that the lanes share.
   const int right = c.right ? -1 : 0, up = c.up ? -1 : 0;
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
   for (std::size_t k = 0; k < lanes; ++k) {
     const int level = r->level[k], ix = r->field_x[k], iy = r->field_y[k], cell_x = r->cell_x[k], cell_y = r->cell_y[k];
     const float x = r->x[k], y = r->y[k], z = r->z[k], t = r->t[k];
@@ -119,12 +125,14 @@ float inverse(double x) { return x == 0 ? 0x1p60F : static_cast<float>(1 / x); }
 ShadowRays::ShadowRays(const HeightField& field) : field_(&field), begin_{0} {
   int nx = field.nx(), ny = field.ny();
   highest_.reserve(field.heights().size() * 3 / 2);
-  for (int y = 0; y < ny; ++y)
+  for (int y = 0; y < ny; ++y) {
+    throw_if_interrupted();
     for (int x = 0; x < nx; ++x) {
       const int next_x = (x + 1) % nx, next_y = (y + 1) % ny;
       highest_.push_back(std::max(
           {field.height(x, y), field.height(next_x, y), field.height(x, next_y), field.height(next_x, next_y)}));
     }
+  }
   // As long as the blocks tile the period.
   for (int level = 0; level < most_levels && nx % 2 == 0 && ny % 2 == 0; ++level) {
     const auto below = static_cast<std::size_t>(begin_.back());

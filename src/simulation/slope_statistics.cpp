@@ -1,10 +1,13 @@
 #include "simulation/slope_statistics.hpp"
 
+#include "math/interruptible.hpp"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace brdfplot::simulation {
@@ -18,9 +21,11 @@ static_assert(bins - 1 == SlopeStatistics::degrees_of_freedom);
 
 template <class Body>
 void for_facets(const Tile& tile, const Body& body) {
-  for (int iy = tile.y0; iy < tile.y1; ++iy)
+  for (int iy = tile.y0; iy < tile.y1; ++iy) {
+    throw_if_interrupted();
     for (int ix = tile.x0; ix < tile.x1; ++ix)
       for (const bool far : {false, true}) body(tile.field->to_world(tile.field->facet_slope(ix, iy, far)));
+  }
 }
 
 double facets_of(const Tile& tile) { return 2.0 * (tile.x1 - tile.x0) * (tile.y1 - tile.y0); }
@@ -70,9 +75,11 @@ double median_alpha(std::span<const Tile> tiles, const SlopeMap& mean, double co
     for_facets(tile, [&](const Slope& s) {
       sizes.push_back(std::fabs(cos_phi * (s.x - mean.mean_x) + sin_phi * (s.y - mean.mean_y)));
     });
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return std::numbers::sqrt3 * *middle;
+  return interruptible([sizes = std::move(sizes)]() mutable {
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, middle);
+    return std::numbers::sqrt3 * *middle;
+  });
 }
 
 SlopeMap from_medians(std::span<const Tile> tiles) {

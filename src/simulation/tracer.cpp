@@ -1,6 +1,9 @@
 #include "simulation/tracer.hpp"
 
+#include "math/interruptible.hpp"
+
 #include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -118,17 +121,12 @@ struct Tracer::Scene {
   explicit Scene(const HeightField& field)
       : period{static_cast<double>(field.nx()), static_cast<double>(field.ny()), field.lowest(), field.highest()} {
     scene = rtcNewScene(device());
-    // Robust: without it rays slip through between facets, and a ray below the surface is lost.
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry mesh = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_QUAD);
-    fill(mesh, field);
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(scene, mesh);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
-    if (rtcGetDeviceError(device()) != RTC_ERROR_NONE) {
+    if (scene == nullptr) throw std::bad_alloc();
+    try {
+      build(field);
+    } catch (...) {
       rtcReleaseScene(scene);
-      throw std::bad_alloc();
+      throw;
     }
   }
   ~Scene() { rtcReleaseScene(scene); }
@@ -136,6 +134,41 @@ struct Tracer::Scene {
   Scene& operator=(const Scene&) = delete;
 
 private:
+  void build(const HeightField& field) {
+    // Robust: without it rays slip through between facets, and a ray below the surface is lost.
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    // A build of millions of facets takes long: it is given up after Ctrl-C.
+    rtcSetSceneProgressMonitorFunction(
+        scene, [](void*, double) { return !interrupted(); }, nullptr);
+    const std::unique_ptr<RTCGeometryTy, void (*)(RTCGeometry)> mesh(
+        rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_QUAD), [](RTCGeometry made) { rtcReleaseGeometry(made); });
+    if (mesh == nullptr) throw std::bad_alloc();
+    fill(mesh.get(), field);
+    rtcCommitGeometry(mesh.get());
+    rtcAttachGeometry(scene, mesh.get());
+    const bool large = field.heights().size() > std::size_t{1} << 18;
+    const RTCError error = large ? commit_interruptibly() : commit(scene);
+    throw_if_interrupted();
+    if (error != RTC_ERROR_NONE) throw std::bad_alloc();
+  }
+
+  /// Embree keeps its errors by thread.
+  static RTCError commit(RTCScene scene) {
+    rtcCommitScene(scene);
+    return rtcGetDeviceError(device());
+  }
+
+  /// Between its calls of the progress monitor Embree takes seconds for some stages of a large tree.
+  RTCError commit_interruptibly() {
+    rtcRetainScene(scene);
+    return interruptible([scene = scene, threads = tbb::this_task_arena::max_concurrency()] {
+      RTCError error = RTC_ERROR_NONE;
+      tbb::task_arena(threads).execute([&] { error = commit(scene); });
+      rtcReleaseScene(scene);
+      return error;
+    });
+  }
+
   /// Quads, which Embree cuts like HeightField: grids take less memory and are built faster, but were traced at two
   /// thirds of the speed. Columns and rows nx, ny are those of the next period.
   static void fill(RTCGeometry mesh, const HeightField& field) {
@@ -147,12 +180,14 @@ private:
     auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
                                                                  4 * sizeof(unsigned), std::size_t{nx} * ny));
     if (vertex == nullptr || index == nullptr) throw std::bad_alloc();
-    for (unsigned iy = 0; iy <= ny; ++iy)
+    for (unsigned iy = 0; iy <= ny; ++iy) {
+      throw_if_interrupted();
       for (unsigned ix = 0; ix <= nx; ++ix) {
         *vertex++ = static_cast<float>(ix);
         *vertex++ = static_cast<float>(iy);
         *vertex++ = field.height(static_cast<int>(ix % nx), static_cast<int>(iy % ny));
       }
+    }
     for (unsigned iy = 0; iy < ny; ++iy)
       for (unsigned ix = 0; ix < nx; ++ix) {
         const unsigned corner = iy * (nx + 1) + ix;

@@ -62,7 +62,7 @@ void check_bytes(const kernels::Stretch& k) {
   const std::size_t n = 689;
   const auto whole = all_kernels(k, o, i, 0, n);
   const std::size_t kinds = whole.size() / n;
-  for (const std::size_t size : {1, 7, 64, 129, 333}) {
+  for (const std::size_t size : {1U, 7U, 64U, 129U, 333U}) {
     for (std::size_t first = 0; first < n; first += size) {
       const std::size_t count = std::min(size, n - first);
       const auto part = all_kernels(k, o, i, first, count);

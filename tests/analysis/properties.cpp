@@ -83,7 +83,9 @@ TEST_CASE("each property is told from the others") {
                                    {Property::reciprocity, shadowed(ggx, "none")},
                                    {Property::energy, with_formula(ggx, "g1", "min(1, 4 * cos_theta)")},
                                    {Property::eq37, with_formula(ggx, "g1", "1")}};
-  for (const auto& [property, bad] : cases) {
+  for (const auto& one : cases) {
+    const auto& property = one.property; // Clang 14 has no structured binding in the lambda of INFO
+    const auto& bad = one.bad;
     INFO(properties()[static_cast<std::size_t>(property)].name << ", " << bad.masking.type);
     CHECK(verdict(property, ggx) == Verdict::holds);
     CHECK(verdict(property, bad) == Verdict::fails);

@@ -163,11 +163,6 @@ TEST_CASE("the last guard: what is no number ends the stream with its row") {
     CHECK(outcome.out.find("nan") == std::string::npos);
     CHECK(outcome.out.find("inf") == std::string::npos);
   }
-  // Of float's range, not of double's.
-  folder.write("narrow.json", R"({"distribution": {"type": "ggx", "alpha": 1e-20}})");
-  folder.write("m.csv", "theta_m\n0\n");
-  CHECK(run(folder, "brdfplot eval narrow.json -q d -i m.csv").code == 0);
-  CHECK(run(folder, "brdfplot eval narrow.json -q d -i m.csv --precision single").code == 4);
 }
 
 TEST_CASE("an accuracy out of reach names the row and the estimate reached") {

@@ -20,8 +20,8 @@ struct Case {
 
 std::vector<Case> cases() {
   return {
-      {"beckmann", R"({"type": "beckmann", "alpha": 0.4})", "", {"alpha"}, {{1e-6}, {1e-3}, {0.1}, {0.7}, {3}, {1e6}}},
-      {"ggx", R"({"type": "ggx", "alpha": 0.4})", "", {"alpha"}, {{1e-6}, {1e-3}, {0.1}, {0.7}, {3}, {1e6}}},
+      {"beckmann", R"({"type": "beckmann", "alpha": 0.4})", "", {"alpha"}, {{2e-6}, {1e-3}, {0.1}, {0.7}, {3}, {1e6}}},
+      {"ggx", R"({"type": "ggx", "alpha": 0.4})", "", {"alpha"}, {{2e-6}, {1e-3}, {0.1}, {0.7}, {3}, {1e6}}},
       {"phong", R"({"type": "phong", "exponent": 20})", "", {"exponent"}, {{0}, {3}, {50}, {5000}}},
       {"gtr",
        R"({"type": "gtr", "alpha": 0.4, "gamma": 1.5})",

@@ -51,7 +51,7 @@ TEST_CASE("the folder of a report") {
     CHECK(rows[r][0] == (r % 2 == 1 ? "beckmann" : "ggx"));
     CHECK(rows[r][1] == (r < 3 ? "smith" : "implicit"));
     CHECK(rows[r][10] == (r < 3 ? "true" : "false"));
-    for (const std::size_t column : {2, 4, 6, 8}) CHECK((std::stod(rows[r][column]) < 1e-7) == (r < 3));
+    for (const std::size_t column : {2U, 4U, 6U, 8U}) CHECK((std::stod(rows[r][column]) < 1e-7) == (r < 3));
     CHECK(rows[r][11] == (r < 3 ? "" : "0.3")); // where rounding is largest says nothing
   }
   const std::string markdown = folder.read("out/tables/properties.md");
@@ -103,6 +103,20 @@ TEST_CASE("a report that fails leaves the folder as it was") {
   folder.write("curve.json", broken);
   check_error(folder, "brdfplot report report.json -o out", 2, {"omega_i"});
   CHECK(folder.read("out/index.html") == page);
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
+}
+
+TEST_CASE("a report that cannot be written whole leaves the old one") {
+  const Folder folder;
+  write_report(folder);
+  check_output(folder, "brdfplot report report.json -o out");
+  for (const char* name : {"figures/curve.svg", "figures/curve.csv", "report.json", "index.html"})
+    folder.write("out/" + std::string(name), "as it was");
+  fs::remove(folder.path() / "out/tables/properties.md");
+  fs::create_directory(folder.path() / "out/tables/properties.md");
+  check_error(folder, "brdfplot report report.json -o out", 3, {"out/tables/properties.md: cannot write: "});
+  for (const char* name : {"figures/curve.svg", "figures/curve.csv", "report.json", "index.html"})
+    CHECK(folder.read("out/" + std::string(name)) == "as it was");
   CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
 }
 

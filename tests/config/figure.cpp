@@ -116,7 +116,7 @@ TEST_CASE("figures: for_each makes panels and series, arrays every combination, 
            {"variable": "theta_o", "values": ["60deg", " 7.5 deg ", 0.5, "1rad"]},
            {"variable": "masking", "values": ["smith", "v_cavity"], "labels": ["Smith", "V"]}],
          "series": [{"label": "{alpha} at {theta_o}", "quantity": "g1",
-                     "for_each": {"variable": "alpha", "values": [0.1, 1, 1e-9]}}])"));
+                     "for_each": {"variable": "alpha", "values": [0.1, 1, 1e-6]}}])"));
   REQUIRE(figure.panels.size() == 8);
   CHECK(figure.panels[0].title == "Smith, θ_o = 60°; {alpha}");
   CHECK(figure.panels[1].title == "V, θ_o = 60°; {alpha}");

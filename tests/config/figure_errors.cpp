@@ -18,7 +18,7 @@ struct Case {
 };
 
 const std::string series = R"("series": [{"quantity": "d"}])";
-const std::string viewed = R"("series": [{"quantity": "g1", "at": {"theta_o": 1}}])";
+const std::string with_view = R"("series": [{"quantity": "g1", "at": {"theta_o": 1}}])";
 const std::string x = R"("x": {"variable": "theta_m", "from": 0, "to": 1})";
 const std::string head = R"("id": "f", "kind": "lines", "title": "T", "caption": "C", )";
 
@@ -255,7 +255,7 @@ TEST_CASE("figures: axes, labels and what only some kinds have") {
       {"", R"("x": {"variable": "theta_m", "from": 0, "to": 1, "unit": "degree"})", "/x/unit",
        "did you mean \"degrees\"?"},
       {R"("arrows": ["omega_o"], )" + series, polar, "/panels/0/arrows", "\"omega_o\" needs \"theta_o\""},
-      {R"("arrows": ["mirror"], )" + viewed, polar, "/panels/0/arrows", "\"mirror\" needs \"theta_o\""},
+      {R"("arrows": ["mirror"], )" + with_view, polar, "/panels/0/arrows", "\"mirror\" needs \"theta_o\""},
       {R"("arrows": ["omega_m"], )" + series, polar, "/panels/0/arrows/0", "unknown value \"omega_m\""},
       {R"("arrows": ["omega_o"], "at": {"theta_o": 1}, )" + series, "", "/panels/0/arrows",
        "only a polar plot has arrows"},

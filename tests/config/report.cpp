@@ -100,7 +100,7 @@ TEST_CASE("reports: errors") {
     std::string text, error;
   };
   const std::vector<Case> cases = {
-      {R"({"title": "T", "entries": []})", "r.json: /entries: found 0 items, accepted: an array of at least 1 item"},
+      {R"({"title": "T", "entries": []})", "r.json: /entries: found 0 items, accepted: an array of 1 to 1000 items"},
       {R"({"entries": [1]})", "r.json: /entries/0: found 1"},
       {R"({"entries": [{"section": "s", "figure": "f.json"}]})", "r.json: /: \"title\" is missing"},
       {entry(R"("figur": "f.json")"), "r.json: /entries/0/figur: unknown key \"figur\"; did you mean \"figure\"?"},

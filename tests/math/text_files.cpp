@@ -85,3 +85,25 @@ TEST_CASE("files and folders that cannot be") {
   remove_file(folder / "file");
   CHECK(folder.count() == 1);
 }
+
+TEST_CASE("files that belong together are all written, or none is") {
+  const Folder folder;
+  write_text_file(folder / "a", "old");
+  fs::create_directory(folder / "b");
+  CHECK_THROWS_AS(write_text_files({{folder / "a", "new"}, {folder / "b", "new"}}), FileError);
+  CHECK(read_text_file(folder / "a") == "old");
+  CHECK(folder.count() == 2);
+  fs::remove(folder / "b");
+  write_text_files({{folder / "a", "new"}, {folder / "b", "new"}});
+  CHECK(read_text_file(folder / "a") == "new");
+  CHECK(read_text_file(folder / "b") == "new");
+  CHECK(folder.count() == 2);
+}
+
+TEST_CASE("a file that is too large is not read") {
+  const Folder folder;
+  write_text_file(folder / "a", std::string(1000, 'x'));
+  CHECK(read_text_file(folder / "a", 1000).size() == 1000);
+  CHECK_THROWS_AS(read_text_file(folder / "a", 999), InputError);
+  CHECK_THROWS_AS(read_text_file("/dev/zero", 1 << 20), InputError);
+}

@@ -158,7 +158,8 @@ TEST_CASE("figures: narrow lobes are found wherever they are") {
       {tilted, {"p22", "slope", -1, 2.1, {{"phi_m", azimuth}}, std::tan(both)}},
       {tilted, {"d", "phi_m", -3, 3.1, {{"theta_m", both}}, azimuth}},
   };
-  for (const auto& [material, one] : cases) {
+  for (const auto& [material, of] : cases) {
+    const auto& one = of; // Clang 14 has no structured binding in the lambda of CAPTURE
     CAPTURE(one.quantity);
     CAPTURE(one.variable);
     CAPTURE(one.peak);

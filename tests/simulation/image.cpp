@@ -53,6 +53,10 @@ TEST_CASE("files that are no heights") {
   CHECK(contains(error("c.pfm", pfm("-1.0", false, 3, 2).substr(0, 30)), "ends too early"));
   CHECK(contains(error("d.pfm", "Pf\n3 x\n"), "its header"));
   CHECK(contains(error("e.pfm", pfm("-1.0", false, 1, 1)), "1 by 1 pixels"));
+  // As many pixels as no integer can hold, or as there cannot be.
+  CHECK(contains(error("g.pfm", "Pf\n-5e37 3\n-1\n"), "g.pfm: found -5e+37 by 3 pixels; accepted: a whole number"));
+  CHECK(contains(error("h.pfm", "Pf\n3 1e300\n-1\n"), "found 3 by 1e+300 pixels"));
+  CHECK(contains(error("i.pfm", "Pf\n2.5 3\n-1\n"), "found 2.5 by 3 pixels"));
   CHECK(contains(error("f.png", "\x89PNG\r\n\x1a\nnot much more"), "is a broken PNG"));
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("the lobe of every bounce integrates to the energy that leaves after i
   const Material m = material("ggx", 0.7);
   const Sphere sphere = hemisphere(0, std::numbers::pi / 2, 24, 24);
   const WalkResult result = walk_from(m, at_cosine(0.4), sphere.directions, 6400);
-  for (const std::size_t bounce : {1, 2, 3})
+  for (const std::size_t bounce : {1U, 2U, 3U})
     CHECK(std::fabs(integral_of_lobe(result, sphere, bounce, bounce) - energy(result.reflected, bounce, bounce).value) <
           5 * energy(result.reflected, bounce, bounce).standard_error + 1e-3);
 }

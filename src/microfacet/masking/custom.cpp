@@ -1,5 +1,6 @@
 #include "microfacet/masking/custom.hpp"
 
+#include "math/echo.hpp"
 #include "math/errors.hpp"
 #include "math/number.hpp"
 
@@ -46,7 +47,7 @@ std::array<double, 9> values_of(const SlopeMap& map, const Projection& p, const 
 
 double number_or_throw(const Formula& formula, double value, const std::array<double, 9>& at) {
   if (std::isnan(value))
-    throw InputError("masking", "the formula \"" + formula.text() + "\" is not a number at theta = " +
+    throw InputError("masking", "the formula \"" + echo(formula.text()) + "\" is not a number at theta = " +
                                     format_number(at[0]) + ", phi = " + format_number(at[1]));
   return value;
 }

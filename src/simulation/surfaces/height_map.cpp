@@ -1,9 +1,12 @@
 #include "simulation/surfaces/height_map.hpp"
 
+#include "math/interrupt.hpp"
+#include "math/memory.hpp"
 #include "simulation/image.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace brdfplot::simulation {
@@ -33,10 +36,13 @@ Realisation HeightMapSurface::realise(std::uint64_t /*seed*/, std::uint64_t /*re
   const Image image = read_image(file);
   const int nx = mirror ? 2 * image.width : image.width;
   const int ny = mirror ? 2 * image.height : image.height;
+  require_memory(120.0 * nx * ny, "a height map of " + std::to_string(nx) + " by " + std::to_string(ny) +
+                                      " heights with what traces it");
   std::vector<float> heights;
   heights.reserve(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
   double sum = 0, squares = 0;
-  for (int iy = 0; iy < ny; ++iy)
+  for (int iy = 0; iy < ny; ++iy) {
+    throw_if_interrupted();
     for (int ix = 0; ix < nx; ++ix) {
       const double value = image.at(std::min(ix, 2 * image.width - 1 - ix), std::min(iy, 2 * image.height - 1 - iy));
       const double h = value * height / pitch;
@@ -44,6 +50,7 @@ Realisation HeightMapSurface::realise(std::uint64_t /*seed*/, std::uint64_t /*re
       sum += h;
       squares += h * h;
     }
+  }
   const auto n = static_cast<double>(heights.size());
   const double mean = sum / n;
   Realisation out{{}, std::sqrt(std::max(squares / n - mean * mean, 0.0)), 0};

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Runs every fuzzer of a build, on its corpus and on the files in configs/.
+
+    run_fuzzers.py FOLDER [--seconds S] [--runs N] [--only READER[,READER]]
+
+FOLDER has the executables fuzz-READER. What they find stays in FOLDER/findings, inputs that reach new code in
+FOLDER/found. The last line is the result: "N passed, N failed".
+"""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+CONFIGS = {"material": ["materials"], "figure": ["figures"], "report": ["reports"], "scene": ["scenes"],
+           "csv": ["points"], "image": ["scenes"]}
+LIMITS = ["-rss_limit_mb=2048", "-timeout=10", "-max_len=4096", "-print_final_stats=1", "-verbosity=1"]
+
+
+def run(folder, reader, arguments):
+    found = folder / "found" / reader
+    findings = folder / "findings" / reader
+    for path in (found, findings):
+        path.mkdir(parents=True, exist_ok=True)
+    corpora = [found, HERE / "corpus" / reader, *(SOURCE / "configs" / name for name in CONFIGS.get(reader, []))]
+    limit = [f"-runs={arguments.runs}"] if arguments.runs else [f"-max_total_time={arguments.seconds}"]
+    done = subprocess.run([folder / f"fuzz-{reader}", *LIMITS, *limit, f"-artifact_prefix={findings}/",
+                           *(str(path) for path in corpora)], capture_output=True, text=True, errors="replace", check=False)
+    count = re.search(r"stat::number_of_executed_units: *(\d+)", done.stderr)
+    print(f"{reader}: {count.group(1) if count else '?'} executions, exit code {done.returncode}", flush=True)
+    if done.returncode != 0:
+        print("\n".join(done.stderr.splitlines()[-60:]), flush=True)
+    return done.returncode == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--runs", type=int, default=0, help="executions each, instead of seconds")
+    parser.add_argument("--only", help="readers, separated by commas")
+    arguments = parser.parse_args()
+    readers = arguments.only.split(",") if arguments.only else sorted(path.stem for path in HERE.glob("*.cpp"))
+    with ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
+        passed = sum(pool.map(lambda reader: run(arguments.folder.resolve(), reader, arguments), readers))
+    print(f"{passed} passed, {len(readers) - passed} failed")
+    sys.exit(0 if passed == len(readers) else 1)
+
+
+if __name__ == "__main__":
+    main()
