@@ -58,7 +58,7 @@ Estimate over_components(const Material& material, const Direction& o, double to
   const auto parts = components(material.distribution);
   Estimate sum;
   for (const Component& component : parts) {
-    const SlopeFrame frame(component.slopes(), o);
+    const SlopeFrame frame(component.frame, o);
     const Estimate one = integral(component, frame, tolerance / static_cast<double>(parts.size()));
     sum.value += one.value;
     sum.error += one.error;
@@ -86,7 +86,7 @@ NormalIntegrand part_of(const Material& material, const Component& component, co
 bool mirrored(const Material& material, const Direction& o) {
   if (std::holds_alternative<CustomMasking>(material.masking)) return false;
   return std::ranges::all_of(components(material.distribution),
-                             [&](const Component& component) { return SlopeFrame(component.slopes(), o).symmetric(); });
+                             [&](const Component& component) { return SlopeFrame(component.frame, o).symmetric(); });
 }
 
 /// An integral over the normals that face the viewer. The integrands of Eqs. 13, 18 and 36 have the mirror image of
@@ -128,7 +128,7 @@ Estimate projected_area(const Material& material, const Direction& o, double tol
 double narrowest_width(const Material& material) {
   double width = infinity;
   for (const Component& component : components(material.distribution)) {
-    const SlopeMap& map = component.slopes();
+    const SlopeMap& map = component.frame;
     width = std::min(width, std::min(map.alpha_x, map.alpha_y) * map.decorrelation());
   }
   return width;
@@ -231,16 +231,28 @@ bool compares_elevations(const Shadowing& shadowing) {
       shadowing);
 }
 
-/// The kinks that a masking function declares: in the light, of each component of the distribution; and where the
-/// normal is part of it, in the viewer.
+/// The slopes that a masking function is asked with: those of the parts of a mixture, else of the distribution.
+std::vector<SlopeMap> masked_slopes(const Distribution& distribution) {
+  return std::visit(
+      [](const auto& d) {
+        std::vector<SlopeMap> all;
+        if constexpr (requires { d.parts; })
+          for (const auto& part : d.parts) all.push_back(part.slopes());
+        else
+          all.push_back(d.slopes);
+        return all;
+      },
+      distribution);
+}
+
+/// The kinks that a masking function declares: in the light, and where the normal is part of it, in the viewer.
 void add_kinks_of_masking(const Material& material, const Direction& o, std::vector<Switch>& all) {
   std::visit(
       [&]<class M>(const M&) {
         if constexpr (requires(const Projection& p) { M::kink(p); }) {
-          for (const Component& component : components(material.distribution))
-            all.push_back(switch_of(o, [map = component.slopes()](const Direction&, const Direction& i) {
-              return M::kink(map.project(i));
-            }));
+          for (const SlopeMap& map : masked_slopes(material.distribution))
+            all.push_back(
+                switch_of(o, [map](const Direction&, const Direction& i) { return M::kink(map.project(i)); }));
         } else if constexpr (requires(const Projection& p) { M::kink(p, 1.0, 1.0); }) {
           const SlopeMap& map = material.slopes();
           all.push_back(switch_of(o, [o, viewer = map.project(o)](const Direction& h, const Direction&) {

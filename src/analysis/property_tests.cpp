@@ -67,7 +67,7 @@ std::vector<std::optional<Direction>> normals_of(const Material& material) {
   if (material.has_lambda()) return {std::nullopt};
   std::vector<std::optional<Direction>> normals;
   for (const Component& component : components(material.distribution)) {
-    const SlopeMap& map = component.slopes();
+    const SlopeMap& map = component.frame;
     for (const double r : {0.0, 0.3, 1.0, 3.0})
       for (int k = 0; k < (r > 0 ? 12 : 1); ++k) {
         const double u1 = r * std::cos(30 * degree * k), u2 = r * std::sin(30 * degree * k);

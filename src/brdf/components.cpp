@@ -2,10 +2,6 @@
 
 namespace brdfplot {
 
-const SlopeMap& Component::slopes() const {
-  return std::visit([](const auto& d) -> const SlopeMap& { return d.slopes; }, distribution);
-}
-
 double Component::density(const Direction& omega_m) const {
   return weight * std::visit([&](const auto& d) { return d.density(omega_m); }, distribution);
 }
@@ -23,6 +19,22 @@ void Component::densities(const std::vector<Direction>& omega_m, std::vector<dou
   for (double& value : out) value *= weight;
 }
 
+namespace {
+
+/// The slopes of a distribution, by the factor that its shape or profile says they are wider where it is far from 1.
+template <class D>
+SlopeMap frame_of(const D& d) {
+  SlopeMap frame = d.slopes;
+  double factor = 1;
+  if constexpr (requires { d.profile.typical_slope(); }) factor = d.profile.typical_slope() / d.slopes.alpha_x;
+  if constexpr (requires { d.shape.typical_slope(); }) factor = d.shape.typical_slope();
+  frame.alpha_x *= factor;
+  frame.alpha_y *= factor;
+  return frame;
+}
+
+} // namespace
+
 std::vector<Component> components(const Distribution& distribution) {
   return std::visit(
       []<class D>(const D& d) {
@@ -30,16 +42,14 @@ std::vector<Component> components(const Distribution& distribution) {
         if constexpr (requires { d.parts; }) {
           for (const auto& part : d.parts)
             for (const Component& one : std::visit([](const auto& of) { return components(of); }, part.distribution))
-              all.push_back({part.weight * one.weight, one.distribution});
+              all.push_back({part.weight * one.weight, one.distribution, one.frame});
         } else if constexpr (requires { d.profile.parts(); }) {
-          for (const auto& [weight, profile] : d.profile.parts())
-            if (weight > 0)
-              all.push_back({weight, D{{.alpha_x = profile.width(), .alpha_y = profile.width()}, profile}});
-        } else if constexpr (requires { d.profile.typical_slope(); }) {
-          const double slope = d.profile.typical_slope();
-          all.push_back({1, D{{.alpha_x = slope, .alpha_y = slope}, d.profile}});
+          for (const auto& [weight, profile] : d.profile.parts()) {
+            const SlopeMap frame{.alpha_x = profile.width(), .alpha_y = profile.width()};
+            if (weight > 0) all.push_back({weight, D{frame, profile}, frame});
+          }
         } else {
-          all.push_back({1, d});
+          all.push_back({1, d, frame_of(d)});
         }
         return all;
       },

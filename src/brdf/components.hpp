@@ -12,8 +12,8 @@ namespace brdfplot {
 struct Component {
   double weight = 1;
   Distribution distribution;
+  SlopeMap frame; ///< slopes about as wide as those of D_k
 
-  const SlopeMap& slopes() const;
   /// w_k D_k (1/sr).
   double density(const Direction& omega_m) const;
   void densities(const std::vector<Direction>& omega_m, std::vector<double>& out) const;

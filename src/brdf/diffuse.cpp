@@ -69,7 +69,7 @@ Estimate integrate_density(const Material& material, std::span<const Direction> 
       for (std::size_t k = 0; k < m.size(); ++k)
         if (out[k] != 0) out[k] *= density[k];
     };
-    const Estimate one = integrate_over_facing(component.slopes(), directions, kinked, integrand, of_part);
+    const Estimate one = integrate_over_facing(component.frame, directions, kinked, integrand, of_part);
     sum.value += one.value;
     sum.error += one.error;
     sum.evaluations += one.evaluations;

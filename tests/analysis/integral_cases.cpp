@@ -171,9 +171,8 @@ RayIntegral truth_of(const IntegralCase& one) {
   const int panels = one.integral == Integral::albedo && dielectric != nullptr && dielectric->eta[0] < 1 ? 6 : 1;
   RayIntegral sum;
   for (const Component& component : parts) {
-    const RayIntegral part =
-        integrate_rays(component.slopes(), one.o, inside, integrand(one, component, parts.size() > 1),
-                       one.tolerance / static_cast<double>(parts.size()), panels);
+    const RayIntegral part = integrate_rays(component.frame, one.o, inside, integrand(one, component, parts.size() > 1),
+                                            one.tolerance / static_cast<double>(parts.size()), panels);
     sum.value += part.value;
     sum.doubt += part.doubt;
     sum.evaluations += part.evaluations;
@@ -203,7 +202,7 @@ RayIntegral diffuse_truth(const Material& material, const Direction& o, const Di
         values[k] *= std::max(0.0, dot(o, facets[k])) * std::max(0.0, dot(i, facets[k])) *
                      component.density(facets[k]) / (std::numbers::pi * c_o * c_i);
     };
-    const RayIntegral part = integrate_rays(component.slopes(), o, inside, f, tolerance * about);
+    const RayIntegral part = integrate_rays(component.frame, o, inside, f, tolerance * about);
     sum.value += part.value;
     sum.doubt += part.doubt;
   }

@@ -127,7 +127,7 @@ TEST_CASE("figures: for_each makes panels and series, arrays every combination, 
   REQUIRE(series.size() == 3);
   CHECK(series[0].label == "0.1 at 7.5°");
   CHECK(series[1].label == "1 at 7.5°");
-  CHECK(series[2].label == "1e-09 at 7.5°");
+  CHECK(series[2].label == "1e-06 at 7.5°");
   CHECK(setting(series[1].value.term, "alpha") == 1);
   CHECK(setting(series[1].value.term, "theta_o") == doctest::Approx(7.5 * degree));
   CHECK(std::get<std::string>(series[1].value.term.at[1].value) == "v_cavity");

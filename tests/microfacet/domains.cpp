@@ -165,17 +165,14 @@ TEST_CASE("domains: the area of what is seen is there at the ends, or an error s
     for (int k = 0; k < 40; ++k) {
       MaterialDescription description = draw(spec, random);
       if (spec.find("mean_slope") != nullptr) description.distribution.values.set("mean_slope", Vec2{0, 0});
-      // Below 1.55 slopes of 1e95, where integrals end, still have a share in the mean slope.
-      if (spec.type == "student_t" || spec.type == "phong" || refused(description)) continue;
-      // The slopes of p = 0.1 are around 1e5 alpha, which is not where integrals look.
-      if (spec.type == "exponential_power" && description.distribution.values.number("p") < 0.2) continue;
+      if (refused(description)) continue;
       const Material m = build(description);
       const Direction o = from_angles(1.1, 0.3);
       INFO(description.name);
       try {
         const Estimate area = compute(Integral::projected_area, m, o, tolerance);
-        CHECK(std::isfinite(area.error));
-        if (m.has_lambda()) CHECK(std::fabs(area.value - o.z) < std::max(area.error, tolerance));
+        // Else it is refused: where slopes of 1e95, at which integrals end, still have a share in the mean slope.
+        if (m.has_lambda() && area.error <= tolerance) CHECK(std::fabs(area.value - o.z) <= area.error);
       } catch (const AccuracyError&) {
       }
     }

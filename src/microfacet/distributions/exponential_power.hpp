@@ -11,12 +11,15 @@ namespace brdfplot {
 struct ExponentialPowerShape {
   double power = 1;
   double log_peak = 0; ///< ln of P22 at 0
+  double median = 1;   ///< slope within which half of the ground is, over that of p = 1
   ALambdaTable table;
 
   static ModelSpec about();
   static ExponentialPowerShape from(const Values& values);
 
   double density(double t2) const;
+  /// 1 for p = 1, 1e5 for p = 0.1.
+  double typical_slope() const { return median; }
   double scaled_density(double n2, double z2) const;
   /// a Lambda(a) from a table of the quadrature of these slopes: there is no general closed form. Domain a in [0,
   /// infinity]; relative error 1e-10 of all that is above 1e-290.
