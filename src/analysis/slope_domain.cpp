@@ -384,7 +384,17 @@ private:
 
 Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance) {
   const FacingCharts charts(frame, f);
-  return integrate_charts(frame, f.value, charts, charts.rectangles(), tolerance);
+  Estimate estimate = integrate_charts(frame, f.value, charts, charts.rectangles(), tolerance);
+  // Slopes that fall slowly go on beyond those that integrate_charts() sees; away from the viewer most of all.
+  const auto away = [&](double r) {
+    const std::vector<Direction> normal = {frame.normal(-r, 0)};
+    std::vector<double> value(1);
+    f.value(normal, value);
+    return value[0] * frame.jacobian(normal[0]) * r;
+  };
+  constexpr double largest_slope = 1e65;
+  estimate.error += 2 * std::numbers::pi * power_tail(away, largest_slope);
+  return estimate;
 }
 
 Estimate integrate_lit(const SlopeFrame& frame, const LitIntegrand& f, double tolerance) {

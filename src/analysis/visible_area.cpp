@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t near_count = 31; ///< nodes of the first integral
 constexpr std::size_t far_count = 61;  ///< and of the second
+constexpr double largest_slope = 1e65; ///< of which a density is still right
 constexpr double narrowest = 0.01;     ///< t that its rule resolves near 0, in units of the roughness
 
 /// The first integrand without its density: r^2 = 6 (1 - x) / x, under which distributions of unit roughness, Gaussian
@@ -164,7 +165,14 @@ Estimate visible_area(const Distribution& distribution, const SlopeFrame& frame,
     improve(all, [&] { return near_adaptive(density, 0.5 * tolerance / c); });
     if (seen_from_aside) improve(negative, [&] { return far_adaptive(density, a, 0.5 * tolerance / s); });
   }
-  return {c * all.value + s * negative.value, c * all.error + s * negative.error,
+  // The weight of the second integral is 2 r^2 far out, and the fourth power of a normal's cosine ends soon after.
+  const auto far_out = [&](double r) {
+    double p = 0;
+    density(&r, &p, 1);
+    return 2 * r * (r * p);
+  };
+  const double tail = seen_from_aside ? power_tail(far_out, largest_slope) : 0;
+  return {c * all.value + s * negative.value, c * all.error + s * (negative.error + tail),
           all.evaluations + negative.evaluations};
 }
 

@@ -5,6 +5,8 @@
 #include "math/gauss_kronrod.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace brdfplot {
@@ -85,6 +87,13 @@ Estimate integrate(const BatchFunction& f, std::span<const double> points, const
     for (const Interval& part : divide(f, worst, estimate.evaluations)) add(part);
   }
   return estimate;
+}
+
+double power_tail(const std::function<double(double x)>& f, double from) {
+  const double here = f(from);
+  if (!(here > 0)) return 0;
+  const double power = std::log(f(1e-5 * from) / here) / std::log(1e5);
+  return power > 1 ? here * from / (power - 1) : std::numeric_limits<double>::infinity();
 }
 
 } // namespace brdfplot

@@ -31,4 +31,8 @@ using BatchFunction = std::function<void(const double* x, double* y, std::size_t
 Estimate integrate(const BatchFunction& f, std::span<const double> points, const Tolerance& tolerance,
                    std::size_t max_evaluations = 100000);
 
+/// What an integral of f over [0, infinity) has beyond `from`, if f goes on falling by the power by which it falls from
+/// 1e-5 `from` to there: for tails that reach further than numbers do. Infinite where that power is 1 or less.
+double power_tail(const std::function<double(double x)>& f, double from);
+
 } // namespace brdfplot
