@@ -77,7 +77,7 @@ struct Switch {
 /// What is known of an integrand over the normals that reflect the viewer above the horizon of the mesosurface.
 struct LitIntegrand {
   NormalIntegrand value;
-  std::vector<Switch> switches{}; ///< the integrand may have a kink where one of these changes its sign,
+  std::vector<Switch> switches{};          ///< the integrand may have a kink where one of these changes its sign,
   bool kink_in_plane_of_incidence = false; ///< and where azimuths are equal or opposite
   bool symmetric = false;                  ///< u_2 -> -u_2 changes nothing
 };

@@ -17,10 +17,10 @@ using PlaneFunction =
     std::function<void(std::size_t chart, const double* x, const double* y, double* f, std::size_t n)>;
 
 /// The integral of f over the rectangles together. On each a product of two Gauss-Kronrod rules, 15-31 in x and 7-15 in
-/// y, with an error for each variable, judged as integrate() does from what the lines say one by one; the rectangle with
-/// the largest error is halved across the variable that has the larger one. Smooth integrands converge at the first
-/// rectangles; what is not smooth should lie on their edges. As in integrate(), halves that are far better than the whole
-/// was are not believed before another cut says the same.
+/// y, with an error for each variable, judged as integrate() does from what the lines say one by one; the rectangle
+/// with the largest error is halved across the variable that has the larger one. Smooth integrands converge at the
+/// first rectangles; what is not smooth should lie on their edges. As in integrate(), halves that are far better than
+/// the whole was are not believed before another cut says the same.
 Estimate integrate_plane(const PlaneFunction& f, std::span<const Rectangle> rectangles, const Tolerance& tolerance,
                          std::size_t max_evaluations = 400000);
 

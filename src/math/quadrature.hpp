@@ -25,9 +25,9 @@ using BatchFunction = std::function<void(const double* x, double* y, std::size_t
 
 /// Integral of f over [points.front(), points.back()], cut at the points between (where f has kinks). Globally
 /// adaptive: Gauss-Kronrod 10-21, the interval with the largest error is halved until the sum of the errors is below
-/// max(absolute, relative |value|) or rounding forbids more. The error of an interval is judged by how fast its Legendre
-/// coefficients fall (error_of() of gauss_kronrod.hpp), never below 50 roundings of the integral of |f|. The caller sees
-/// from `error` whether the tolerance was met.
+/// max(absolute, relative |value|) or rounding forbids more. The error of an interval is judged by how fast its
+/// Legendre coefficients fall (error_of() of gauss_kronrod.hpp), never below 50 roundings of the integral of |f|. The
+/// caller sees from `error` whether the tolerance was met.
 Estimate integrate(const BatchFunction& f, std::span<const double> points, const Tolerance& tolerance,
                    std::size_t max_evaluations = 100000);
 
