@@ -188,7 +188,8 @@ Switch elevation(const SlopeMap& map, const Direction& o) {
 
 /// The sign of G1(i) - G1(o), of what masks in whatever way.
 Switch masking_difference(const Material& material, const Direction& o) {
-  return {[&material, o](const std::vector<Direction>& h, std::vector<double>& out) {
+  const double constant = material.has_lambda() ? evaluate(material, Quantity::g1, o, std::nullopt, std::nullopt) : 0;
+  return {[&material, o, constant](const std::vector<Direction>& h, std::vector<double>& out) {
     const std::size_t n = h.size();
     Columns3 normals, viewer, light;
     for (Columns3* columns : {&normals, &viewer, &light}) columns->resize(n);
@@ -197,8 +198,9 @@ Switch masking_difference(const Material& material, const Direction& o) {
       viewer.set(k, o);
       light.set(k, reflected(o, h[k]));
     }
-    std::vector<double> of_viewer(n);
-    evaluate(material, Quantity::g1, {n, viewer.view(), {}, normals.view()}, of_viewer.data());
+    std::vector<double> of_viewer(n, constant);
+    if (!material.has_lambda())
+      evaluate(material, Quantity::g1, {n, viewer.view(), {}, normals.view()}, of_viewer.data());
     evaluate(material, Quantity::g1, {n, light.view(), {}, normals.view()}, out.data());
     for (std::size_t k = 0; k < n; ++k) out[k] -= of_viewer[k];
   }};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -208,7 +209,8 @@ public:
 private:
   /// r = spread z / (1 - z).
   static constexpr double spread = 2;
-  static constexpr double shortest = 0x1p-14;     ///< r below which all rays are alike: they see 1e-9 of the mass
+  static constexpr double shortest = 0x1p-14; ///< r below which all rays are alike: they see 1e-9 of the mass
+  static constexpr std::size_t most_rays = 20000;
   static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered parts * most_parts + part
 
   /// Where two parts of a ray meet, or its end: in z, and which switch changes its sign there.
@@ -277,17 +279,17 @@ private:
     add(to);
   }
 
-  /// The ends of the parts of a ray, ascending from 0; the last ray is remembered, since the points of a rule share
-  /// rays.
+  /// The ends of the parts of a ray, ascending from 0. Remembered: the parts of a sector, and rectangles that are
+  /// divided across the rays, ask for the same ones.
   const std::vector<End>& ray(double psi) {
-    if (psi == psi_) return ends_;
-    psi_ = psi;
+    if (const auto known = rays_.find(psi); known != rays_.end()) return known->second;
+    if (rays_.size() >= most_rays) rays_.clear();
     const double reach = frame_.reach(std::cos(psi), std::sin(psi));
     const double end = reach == infinity ? 1 : reach / (spread + reach);
-    ends_ = {{0, f_.switches.size()}, {end, f_.switches.size()}};
-    for (std::size_t k = 0; k < f_.switches.size(); ++k) add_sign_changes(k, psi, end);
-    std::ranges::sort(ends_, {}, &End::z);
-    return ends_;
+    std::vector<End> ends = {{0, f_.switches.size()}, {end, f_.switches.size()}};
+    for (std::size_t k = 0; k < f_.switches.size(); ++k) add_sign_changes(k, psi, end, ends);
+    std::ranges::sort(ends, {}, &End::z);
+    return rays_.emplace(psi, std::move(ends)).first->second;
   }
 
   void evaluate_switch(const NormalIntegrand& of, double psi, const std::vector<double>& z) {
@@ -300,7 +302,7 @@ private:
     of(normals_, values_);
   }
 
-  void add_sign_changes(std::size_t which, double psi, double end) {
+  void add_sign_changes(std::size_t which, double psi, double end, std::vector<End>& ends) {
     const NormalIntegrand& of = f_.switches[which].value;
     constexpr int probes = 24;
     std::vector<double> z = {1e-9 * end, 1e-6 * end, 1e-4 * end}; // crossings may leave by the centre
@@ -321,7 +323,7 @@ private:
     for (std::size_t k = 1; k < z.size(); ++k) {
       if (values[k] == 0) continue;
       if (values[last] * values[k] < 0)
-        ends_.push_back({sign_change(of, psi, {z[last], z[k]}, {values[last], values[k]}), which});
+        ends.push_back({sign_change(of, psi, {z[last], z[k]}, {values[last], values[k]}), which});
       last = k;
     }
   }
@@ -374,8 +376,7 @@ private:
   const SlopeFrame& frame_;
   const LitIntegrand& f_;
   double copies_;
-  double psi_ = infinity;
-  std::vector<End> ends_;
+  std::unordered_map<double, std::vector<End>> rays_; ///< by psi
   std::vector<Direction> normals_;
   std::vector<double> values_;
 };

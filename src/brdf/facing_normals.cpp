@@ -32,16 +32,16 @@ public:
   /// d omega_m / d^2 u.
   double jacobian(const Direction& omega_m) const { return map_.determinant() * omega_m.z * omega_m.z * omega_m.z; }
 
-  /// Where the ray of azimuth psi is cut: 0, kinks, and where the first facet turns away, as v = atan r, ascending.
+  /// Where the ray of azimuth psi is cut: where the first facet turns away, kinks, and r = 0, as w = acot r, ascending.
   std::vector<double> cuts_of_ray(double cos_psi, double sin_psi) const {
-    double end = 0.5 * pi;
-    std::vector<double> cuts = {0};
+    double end = 0;
+    std::vector<double> cuts = {0.5 * pi};
     for (const Vec2& e : lines_) {
       const double along = e[0] * cos_psi + e[1] * sin_psi;
-      if (along > 0) end = std::min(end, std::atan(1 / along));
-      if (along < 0 && kinked_) cuts.push_back(std::atan(-1 / along));
+      if (along > 0) end = std::max(end, std::atan(along));
+      if (along < 0 && kinked_) cuts.push_back(std::atan(-along));
     }
-    std::erase_if(cuts, [&](double v) { return v >= end; });
+    std::erase_if(cuts, [&](double w) { return w <= end; });
     cuts.push_back(end);
     std::ranges::sort(cuts);
     return cuts;
@@ -92,7 +92,7 @@ private:
   std::vector<Vec2> lines_; ///< e
 };
 
-/// The integral along one ray.
+/// The integral along one ray, over w = acot r: infinity is at 0, where numbers are dense.
 class Ray {
 public:
   Ray(const Frame& frame, const Integrand& f) : frame_(frame), f_(f) {}
@@ -100,26 +100,45 @@ public:
   Estimate operator()(double psi, const Tolerance& tolerance) {
     const double cos_psi = std::cos(psi);
     const double sin_psi = std::sin(psi);
-    const auto integrand = [&](const double* v, double* y, std::size_t n) {
-      normals_.resize(n);
-      values_.resize(n);
+    const auto over_w = [&](const double* w, double* y, std::size_t n) {
+      slopes_.resize(n);
+      for (std::size_t k = 0; k < n; ++k) slopes_[k] = 1 / std::tan(w[k]);
+      evaluate(cos_psi, sin_psi, y);
       for (std::size_t k = 0; k < n; ++k) {
-        const double r = std::tan(v[k]);
-        normals_[k] = frame_.normal(r * cos_psi, r * sin_psi);
-      }
-      f_(normals_, values_);
-      for (std::size_t k = 0; k < n; ++k) {
-        const double cos_v = std::cos(v[k]);
-        const double area = std::sin(v[k]) / (cos_v * cos_v * cos_v); // r dr / dv
-        y[k] = values_[k] == 0 ? 0 : values_[k] * frame_.jacobian(normals_[k]) * area;
+        const double sin_w = std::sin(w[k]);
+        if (y[k] != 0) y[k] /= sin_w * sin_w; // dr / dw
       }
     };
-    return integrate(integrand, frame_.cuts_of_ray(cos_psi, sin_psi), tolerance);
+    const auto cuts = frame_.cuts_of_ray(cos_psi, sin_psi);
+    Estimate estimate = integrate(over_w, cuts, tolerance);
+    if (cuts.front() > 0) return estimate;
+    constexpr double largest_slope = 1e65; // before the cube of z_m ends
+    estimate.error += power_tail(
+        [&](double r) {
+          double value = 0;
+          slopes_ = {r};
+          evaluate(cos_psi, sin_psi, &value);
+          return value;
+        },
+        largest_slope);
+    return estimate;
   }
 
 private:
+  /// The integrand over r at `slopes_`.
+  void evaluate(double cos_psi, double sin_psi, double* y) {
+    const std::size_t n = slopes_.size();
+    normals_.resize(n);
+    values_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) normals_[k] = frame_.normal(slopes_[k] * cos_psi, slopes_[k] * sin_psi);
+    f_(normals_, values_);
+    for (std::size_t k = 0; k < n; ++k)
+      y[k] = values_[k] == 0 ? 0 : values_[k] * frame_.jacobian(normals_[k]) * slopes_[k];
+  }
+
   const Frame& frame_;
   const Integrand& f_;
+  std::vector<double> slopes_;
   std::vector<Direction> normals_;
   std::vector<double> values_;
 };

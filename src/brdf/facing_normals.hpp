@@ -15,8 +15,8 @@ namespace brdfplot {
 /// Integral over the normals that face each of `directions` (any number of them, all above the mesosurface) of a
 /// function per solid angle of omega_m, `f(normals, values)`.
 ///
-/// In slopes m~ = mean + L u with L L^T = Q^-1 (Heitz 2014, Eq. 88) and u = tan v (cos psi, sin psi): there the
-/// distribution has unit width whatever its roughness is, tails that fall like a power are smooth up to v = pi / 2, and
+/// In slopes m~ = mean + L u with L L^T = Q^-1 (Heitz 2014, Eq. 88) and u = cot w (cos psi, sin psi): there the
+/// distribution has unit width whatever its roughness is, tails that fall like a power are powers of w, and
 /// omega.m / z_m = c (1 - e.u), so that the horizon of each direction is a line. Rays end at the first of them. psi is
 /// cut where one line takes over from another or is parallel to the ray; with `kinked`, where V-cavities may start to
 /// mask, the rays are cut at e.u = -1 too (Heitz 2014, Eq. 49).
