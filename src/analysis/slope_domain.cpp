@@ -118,7 +118,7 @@ Estimate integrate_charts(const SlopeFrame& frame, const NormalIntegrand& f, con
       out[k] = normals[k].z > 1e-95 && values[k] != 0 ? values[k] * frame.jacobian(normals[k]) * areas[k] : 0;
   };
   // Kinks may cut the plane into hundreds of rectangles; each must be left some to be divided with.
-  const std::size_t most = std::max<std::size_t>(400000, 2000 * rectangles.size());
+  const std::size_t most = std::max<std::size_t>(1000000, 2000 * rectangles.size());
   return integrate_plane(integrand, rectangles, {.absolute = tolerance, .relative = 1e-14}, most);
 }
 
@@ -130,7 +130,7 @@ public:
 
   std::vector<Rectangle> rectangles() const {
     std::vector<Rectangle> all;
-    const double rim = a_ == infinity ? 0 : spread / (spread + a_ * a_);
+    const double rim = a_ == infinity ? 0 : spread / (spread + a_ * a_ + a_ * std::hypot(std::sqrt(spread), a_));
     for (std::size_t mirrored = 0; mirrored < (copies_ == 2 ? 1U : 2U); ++mirrored) {
       const std::size_t base = mirrored * chart_count;
       all.push_back({rim, 1, 0, std::numbers::pi, base + inside});
@@ -144,8 +144,9 @@ public:
   ChartPoint operator()(std::size_t chart, double x, double y) const {
     const double side = chart < chart_count ? 1 : -1;
     if (chart % chart_count == inside) {
-      const double r = std::sqrt(spread * (1 - x) / x);
-      return {r * std::cos(y), side * r * std::sin(y), copies_ * 0.5 * spread / (x * x)};
+      const double q = x * (2 - x);
+      const double r = (1 - x) * std::sqrt(spread / q);
+      return {r * std::cos(y), side * r * std::sin(y), copies_ * spread * (1 - x) / (q * q)};
     }
     const double t = scale_ * (1 - x) / x;
     const double horizon = std::atan(t / a_);
@@ -159,8 +160,8 @@ public:
 
 private:
   enum : std::size_t { inside, outside, behind, chart_count };
-  /// r^2 = spread (1 - x) / x: distributions of unit roughness, Gaussian to long-tailed, are then nearly polynomials.
-  /// Infinity is at x = 0, where numbers are dense.
+  /// r = (1 - x) sqrt(spread / q), q = x (2 - x) = 1 - (1 - x)^2: smooth in r at the centre, and for distributions of
+  /// unit roughness, Gaussian to long-tailed, nearly a polynomial. Infinity is at x = 0, where numbers are dense.
   static constexpr double spread = 6;
   double a_, scale_;
   bool kink_;

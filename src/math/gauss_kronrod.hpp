@@ -50,11 +50,11 @@ struct RuleSums {
 /// c_2n, Kronrod's like c_(3n+2): both are guessed from the last coefficients, and from the difference of the rules, at
 /// the rate at which coefficients fell so far, over the last two degrees or the last five, whichever is slower. What
 /// falls like a power of d, as the coefficients of a kink do, gets little credit for converging, and nothing gets more
-/// than a factor of 30 below its last coefficients: a small part that falls slowly may just have come to light.
+/// than a factor `credit` below its last coefficients: a small part that falls slowly may just have come to light.
 /// (QUADPACK judges by the size of the difference alone, and believes the rule where a small kink is left in a smooth
 /// function.) Never below 50 roundings.
 template <std::size_t N>
-double error_of(const RuleSums& sums) {
+double error_of(const RuleSums& sums, double credit = 30) {
   using Rule = GaussKronrod<N>;
   const double rounding = 50 * std::numeric_limits<double>::epsilon() * sums.magnitude;
   // The last ones may be small by accident: what those before make one expect counts too.
@@ -67,7 +67,8 @@ double error_of(const RuleSums& sums) {
   const double rate = std::max(log_rate(2, sums.before, last, Rule::apart), log_rate(1.2, sums.next_to_last, last, 2));
   constexpr double from_gauss = Rule::gauss_count + 2;
   constexpr double from_last = Rule::exact_degree + 1 - (Rule::last_degree - 0.5);
-  return std::max({sums.gap * std::exp(from_gauss * rate), 4 * last * std::exp(from_last * rate), last / 30, rounding});
+  return std::max(
+      {sums.gap * std::exp(from_gauss * rate), 4 * last * std::exp(from_last * rate), last / credit, rounding});
 }
 
 /// The sum of f(0) ... f(N - 1) in four strands, which the processor adds at the same time.
