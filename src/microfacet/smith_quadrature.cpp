@@ -85,7 +85,7 @@ Estimate bisection(const SmithIntegrand& integrand, double a, const DensityHints
     if (r2 > a * a) cuts.push_back(0.5 * std::log(r2 - a * a));
   cuts.push_back(end);
   std::ranges::sort(cuts);
-  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   Estimate integral = integrate(f, cuts, {.absolute = absolute, .relative = 5e-11});
   if (slow) integral.value += std::exp(end) * integrand(std::exp(end)) / (2 * hints.power - 3);
   return integral;

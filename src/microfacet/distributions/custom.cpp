@@ -60,7 +60,7 @@ struct Samples {
     for (int k = -3000; k <= 3000; ++k) t2s.push_back(std::pow(10.0, k * 0.01));
     for (int k = 1; k <= 4000; ++k) t2s.push_back(k * 0.01);
     std::ranges::sort(t2s);
-    t2s.erase(std::ranges::unique(t2s).begin(), t2s.end());
+    t2s.erase(std::unique(t2s.begin(), t2s.end()), t2s.end()); // clang 14 cannot compile the one of ranges
     (void)checked(formula, 0);
     for (const double t2 : t2s) values.push_back(checked(formula, t2));
   }
@@ -89,7 +89,7 @@ std::vector<double> peaks(const Samples& samples, std::size_t most = 20) {
       cuts.push_back(samples.t2s[at = k + step]);
   }
   std::ranges::sort(cuts);
-  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
 }
 
@@ -131,7 +131,7 @@ double mass(const Formula& formula, const std::vector<double>& peaks, double pow
   for (const double t2 : peaks) cuts.push_back(std::log(t2));
   std::ranges::sort(cuts);
   cuts.push_back(std::log(far));
-  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const auto integrand = [&](const double* x, double* y, std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
       const double t2 = std::exp(x[k]);

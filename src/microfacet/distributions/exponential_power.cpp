@@ -21,8 +21,8 @@ ExponentialPowerShape ExponentialPowerShape::from(const Values& values) {
   const double log_peak = std::log(p * std::numbers::inv_pi) - boost::math::lgamma(1 / p);
   return remembered<ExponentialPowerShape>(format_number(p), [=] {
     // A share P(1 / p, t2^p) of the ground is within t, P the regularised lower incomplete gamma function.
-    const double median = std::sqrt(std::pow(boost::math::gamma_p_inv(1 / p, 0.5), 1 / p) / std::numbers::ln2);
-    return ExponentialPowerShape{p, log_peak, median,
+    const double wider = std::sqrt(std::pow(boost::math::gamma_p_inv(1 / p, 0.5), 1 / p) / std::numbers::ln2);
+    return ExponentialPowerShape{p, log_peak, wider,
                                  ALambdaTable([=](double t2) { return log_peak - std::pow(t2, p); })};
   });
 }
