@@ -359,15 +359,15 @@ Batch used_by(Quantity quantity, const Batch& batch) {
   return used;
 }
 
-void evaluate(const Material& material, Quantity quantity, const Batch& given, double* out) {
-  const Batch batch = used_by(quantity, given);
-  require(material, quantities()[static_cast<std::size_t>(quantity)], bool(batch.o), bool(batch.i), bool(batch.m));
-  const bool has_m = batch.m || (batch.o && batch.i);
-  const auto kernel = batch.m ? std::nullopt : whole_kernel(material);
-  const auto distribution = batch.m ? std::nullopt : smith_kernel(material);
+void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out) {
+  const Batch used = used_by(quantity, batch);
+  require(material, quantities()[static_cast<std::size_t>(quantity)], bool(used.o), bool(used.i), bool(used.m));
+  const bool has_m = used.m || (used.o && used.i);
+  const auto kernel = used.m ? std::nullopt : whole_kernel(material);
+  const auto distribution = used.m ? std::nullopt : smith_kernel(material);
   Block block;
-  for (std::size_t first = 0; first < batch.n; first += block_size) {
-    load(block, batch, first);
+  for (std::size_t first = 0; first < used.n; first += block_size) {
+    load(block, used, first);
     double* to = out + first;
     switch (quantity) {
     case Quantity::lambda:
@@ -379,20 +379,20 @@ void evaluate(const Material& material, Quantity quantity, const Batch& given, d
     case Quantity::fresnel: {
       Buffer ones;
       ones.fill(1);
-      colour(material, block, ones, batch.n, to);
+      colour(material, block, ones, used.n, to);
       break;
     }
-    case Quantity::g2: evaluate_pair(material, quantity, block, batch.n, to); break;
+    case Quantity::g2: evaluate_pair(material, quantity, block, used.n, to); break;
     case Quantity::brdf:
     case Quantity::brdf_cos:
       if (material.facet != Facet::specular)
         evaluate_diffuse(material, quantity, block, to);
       else if (kernel)
-        evaluate_whole(material, *kernel, quantity, block, batch.n, to);
+        evaluate_whole(material, *kernel, quantity, block, used.n, to);
       else if (distribution)
-        evaluate_by_heights(material, *distribution, quantity, block, batch.n, to);
+        evaluate_by_heights(material, *distribution, quantity, block, used.n, to);
       else
-        evaluate_pair(material, quantity, block, batch.n, to);
+        evaluate_pair(material, quantity, block, used.n, to);
       break;
     }
   }

@@ -97,18 +97,18 @@ void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t fi
 
 } // namespace
 
-void evaluate(const Material& material, Quantity quantity, const Batch& given, float* out) {
-  const Batch batch = used_by(quantity, given);
+void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out) {
+  const Batch used = used_by(quantity, batch);
   const QuantityInfo& info = quantities()[static_cast<std::size_t>(quantity)];
-  require(material, info, bool(batch.o), bool(batch.i), bool(batch.m));
-  if (const auto call = call_for(material, quantity, batch)) {
-    for (std::size_t first = 0; first < batch.n; first += block_size)
-      run(*call, quantity, batch, first, std::min(block_size, batch.n - first), out + first);
+  require(material, info, bool(used.o), bool(used.i), bool(used.m));
+  if (const auto call = call_for(material, quantity, used)) {
+    for (std::size_t first = 0; first < used.n; first += block_size)
+      run(*call, quantity, used, first, std::min(block_size, used.n - first), out + first);
     return;
   }
   const auto channels = static_cast<std::size_t>(info.coloured ? material.channels() : 1);
-  std::vector<double> values(batch.n * channels);
-  evaluate(material, quantity, batch, values.data());
+  std::vector<double> values(used.n * channels);
+  evaluate(material, quantity, used, values.data());
   std::ranges::transform(values, out, [](double value) { return static_cast<float>(value); });
 }
 

@@ -159,7 +159,7 @@ private:
   }
 
   /// Between its calls of the progress monitor Embree takes seconds for some stages of a large tree.
-  RTCError commit_interruptibly() {
+  RTCError commit_interruptibly() const {
     rtcRetainScene(scene);
     return interruptible([scene = scene, threads = tbb::this_task_arena::max_concurrency()] {
       RTCError error = RTC_ERROR_NONE;
