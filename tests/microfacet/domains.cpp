@@ -215,7 +215,8 @@ TEST_CASE("domains: beyond, a line names the key, the value and what is accepted
       description.fresnel.values.set("k", 3.0);
     }
     description.fresnel.values.set(key, value);
-    INFO(std::string(type) << ", " << std::string(key) << " = " << value);
+    const std::string text = std::string(type) + ", " + key + " = " + std::to_string(value);
+    INFO(text);
     CHECK(refused(description));
   }
 }

@@ -145,7 +145,8 @@ TEST_CASE("Phong: Lambda from n next to -1 on, where its mean slope is infinite,
         std::tuple(3000.5, 20.0, 4.921864983021630811e-158), std::tuple(2000000000000.0, 0.001, 0.28159507386872868706),
         std::tuple(2000000000000.0, 3.0, 1.6775174889001862288e-6),
         std::tuple(2000000000000.0, 9.0, 1.1354071168910019425e-38)}) {
-    INFO("n = " << exponent << ", a = " << a);
+    const std::string text = "n = " + std::to_string(exponent) + ", a = " + std::to_string(a);
+    INFO(text);
     CHECK(relative(a_lambda<Phong>(distribution("phong", {{"exponent", exponent}}), a), exact) < 2e-13);
   }
 }
@@ -167,7 +168,9 @@ TEST_CASE("GTR: a Lambda(a) of sharp peaks, of normals that lie flat, and of all
         std::tuple(1000000.0, 1000.0, 1.0, 17.334551956257990289), std::tuple(0.0001, 0.01, 0.0, 4969.2309349846241232),
         std::tuple(0.0001, 0.01, 10000.0, 2052.0251263502863719),
         std::tuple(0.0001, 0.01, 1000000.0, 24.749384424487460205)}) {
-    INFO("alpha = " << alpha << ", gamma = " << gamma << ", a = " << a);
+    const std::string text =
+        "alpha = " + std::to_string(alpha) + ", gamma = " + std::to_string(gamma) + ", a = " + std::to_string(a);
+    INFO(text);
     CHECK(relative(a_lambda<Gtr>(distribution("gtr", {{"alpha", alpha}, {"gamma", gamma}}), a), exact) < 2e-12);
   }
 }
@@ -240,7 +243,9 @@ TEST_CASE("tables of Lambda: 1e-10 of it down to 1e-290") {
         std::tuple("gaussian", "alpha", 0.07, 20.0, 9.7221301578093797499e-84),
         std::tuple("gaussian", "alpha", 0.07, 1000.0, 2.4848255960525506658e-216),
         std::tuple("gaussian", "alpha", 0.07, 1e+20, 2.1282307894912212303e-235)}) {
-    INFO(std::string(type) << ", " << std::string(key) << " = " << parameter << ", a = " << a);
+    const std::string text =
+        std::string(type) + ", " + key + " = " + std::to_string(parameter) + ", a = " + std::to_string(a);
+    INFO(text);
     MaterialDescription description = describe(type, std::string(key) == "alpha" ? parameter : 1);
     description.distribution.values.set(key, parameter);
     const std::string name = type;
