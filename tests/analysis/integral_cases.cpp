@@ -153,14 +153,14 @@ FacetFunction integrand(const IntegralCase& one, const Component& component, boo
       if (quantity == Quantity::d) values[k] *= whole * std::max(0.0, dot(one.o, facets[k]));
       if (!several || values[k] == 0) continue;
       const double all = std::visit([&](const auto& d) { return d.density(facets[k]); }, material.distribution);
-      values[k] *= component.density(facets[k]) / all;
+      values[k] *= all > 0 ? component.density(facets[k]) / all : 0; // both of them where they underflow
     }
   };
 }
 
 } // namespace
 
-RayIntegral truth_of(const IntegralCase& one) {
+RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
   const bool lit = one.integral == Integral::albedo || one.integral == Integral::furnace;
   const SlopeMap& mesosurface = one.material.slopes();
   const auto inside = [&](const Direction& facet) {
@@ -172,7 +172,7 @@ RayIntegral truth_of(const IntegralCase& one) {
   RayIntegral sum;
   for (const Component& component : parts) {
     const RayIntegral part = integrate_rays(component.frame, one.o, inside, integrand(one, component, parts.size() > 1),
-                                            one.tolerance / static_cast<double>(parts.size()), panels);
+                                            of_tolerance * one.tolerance / static_cast<double>(parts.size()), panels);
     sum.value += part.value;
     sum.doubt += part.doubt;
     sum.evaluations += part.evaluations;

@@ -51,8 +51,9 @@ struct IntegralCase {
 /// the direction is below the mesosurface.
 std::optional<IntegralCase> random_case(std::uint64_t number);
 
-/// albedo, furnace, projected_area, visible_norm or weak_furnace (which Eq. 36 says is the same as visible_norm).
-RayIntegral truth_of(const IntegralCase& one);
+/// albedo, furnace, projected_area, visible_norm or weak_furnace (which Eq. 36 says is the same as visible_norm), to
+/// so much of the tolerance of the case.
+RayIntegral truth_of(const IntegralCase& one, double of_tolerance = 1);
 
 /// rho of diffuse facets (Heitz 2014, Eq. 31), to a relative `tolerance`; `about` is what it is, roughly.
 RayIntegral diffuse_truth(const Material& material, const Direction& o, const Direction& i, double tolerance,

@@ -53,7 +53,7 @@ struct Tally {
 };
 
 /// One integral against the truth: wrong is what is further from it than the estimate says.
-Tally compare(const IntegralCase& one) {
+Tally compare(const IntegralCase& one, double of_tolerance = 1) {
   Tally tally;
   Estimate estimate;
   tally.slowest = timed([&] { estimate = compute(one.integral, one.material, one.o, one.tolerance); });
@@ -67,7 +67,11 @@ Tally compare(const IntegralCase& one) {
     say("REFUSED " + text);
     return tally;
   }
-  const RayIntegral truth = truth_of(one);
+  RayIntegral truth;
+  const double seconds = timed([&] { truth = truth_of(one, of_tolerance); });
+  if (seconds > 2)
+    say("SLOW TRUTH " + one.text + ": " + std::to_string(truth.evaluations) + " evaluations in " +
+        std::to_string(seconds) + " s");
   const double off = std::fabs(value - truth.value / one.scale());
   const double doubt = 3 * truth.doubt / one.scale() + 1e-12;
   tally.answered = 1;
@@ -97,7 +101,7 @@ void require_right(const Tally& tally) {
   INFO(tally.faults);
   CHECK(tally.wrong == 0);
   CHECK(static_cast<double>(tally.refused) <= 0.01 * static_cast<double>(tally.answered + tally.refused) + 1);
-  CHECK(static_cast<double>(tally.undecided) <= 0.02 * static_cast<double>(tally.answered) + 4);
+  CHECK(static_cast<double>(tally.undecided) <= 0.02 * static_cast<double>(tally.answered) + 1);
 }
 
 void require_all_right(const Tally& tally) {
@@ -113,10 +117,12 @@ Material with_fresnel(MaterialDescription description, const std::string& type, 
 
 } // namespace
 
+constexpr double fine = 0.03; ///< of the tolerance: these few may cost more
+
 TEST_CASE("albedos with kinks that are part of a model") {
   Tally tally;
   const auto add = [&](const std::string& text, const Material& m, double theta) {
-    tally.add(compare({text, m, from_angles(theta * degree, 0.3)}));
+    tally.add(compare({text, m, from_angles(theta * degree, 0.3)}, fine));
   };
   // Imageworks' fit bends at cos theta_i = 1/2.
   for (const double theta : {10.0, 60.0, 80.0}) add("sheen_fit", material("sheen", 0.5, "sheen_fit"), theta);
@@ -137,7 +143,7 @@ TEST_CASE("albedos whose mass lies at the edge of a range of angles") {
   for (const double theta : {89.9, 89.99})
     for (const double alpha : {0.1, 0.15, 0.25, 1.0})
       for (const auto& m : {material("sheen", alpha, "v_cavity"), material("ward", alpha)})
-        tally.add(compare({m.name, m, from_angles(theta * degree, 0)}));
+        tally.add(compare({m.name, m, from_angles(theta * degree, 0)}, fine));
   require_all_right(tally);
 }
 
@@ -146,8 +152,8 @@ TEST_CASE("the area that is seen of slopes with a slow tail, at grazing angles")
   MaterialDescription description = describe("student_t", 0.389, "student_t_fit");
   description.distribution.values.set("gamma", 2.338);
   for (const double tolerance : {1e-5, 3e-9, 1e-10})
-    tally.add(
-        compare({"student_t", build(description), from_angles(89.69 * degree, 0), Integral::visible_norm, tolerance}));
+    tally.add(compare(
+        {"student_t", build(description), from_angles(89.69 * degree, 0), Integral::visible_norm, tolerance}, fine));
   require_all_right(tally);
 }
 

@@ -49,7 +49,8 @@ public:
   /// Writes f at the points into the second argument.
   using Function = std::function<void(const std::vector<double>& at, std::vector<double>& f)>;
 
-  Panels(const Function& f, double tolerance) : f_(f), tolerance_(tolerance) {}
+  /// Once `spent` evaluations are more than what a case is worth, panels are taken as they are, with their doubt.
+  Panels(const Function& f, double tolerance, const std::size_t& spent) : f_(f), tolerance_(tolerance), spent_(spent) {}
 
   /// Over the panels between neighbours of `edges`.
   void add(const std::vector<double>& edges) {
@@ -70,7 +71,7 @@ public:
         const Panel &left = halves[2 * k], &right = halves[2 * k + 1];
         const double both = left.sum + right.sum, difference = std::fabs(both - panels[k].sum);
         if (difference <= std::max(tolerance_, 1e-13 * std::fabs(both)) || round + 1 == most_rounds ||
-            panels.size() > most_panels) {
+            panels.size() > most_panels || spent_ > most_evaluations) {
           value += both;
           doubt += difference;
         } else {
@@ -87,6 +88,7 @@ public:
 private:
   static constexpr int most_rounds = 36;
   static constexpr std::size_t most_panels = 1000; ///< of one round: more of them halve the rounding of f
+  static constexpr std::size_t most_evaluations = 30'000'000;
 
   struct Panel {
     double a, b, sum;
@@ -107,6 +109,7 @@ private:
 
   const Function& f_;
   double tolerance_;
+  const std::size_t& spent_;
 };
 
 /// The panels between `edges`, each in so many equal parts.
@@ -130,7 +133,7 @@ public:
     sin_psi_ = std::sin(psi);
     const double end = end_of_ray();
     const Panels::Function along = [this](const auto& r, auto& out) { values(r, out); };
-    Panels sum(along, tolerance_);
+    Panels sum(along, tolerance_, evaluations);
     std::vector<double> edges = {0};
     for (double r = 1.0 / 16; r < 0.5 * end; r *= r < 8 ? 2 : 8) edges.push_back(r);
     double gap = end - edges.back();
@@ -192,10 +195,10 @@ private:
   std::vector<double> values_;
 };
 
-constexpr double widest = 0.15; ///< panel over psi
+constexpr double widest = 0.35; ///< panel over psi
 
 /// Edges over a turn that crowd at `places`.
-std::vector<double> crowded(std::vector<double> places) {
+std::vector<double> crowded(std::vector<double> places, int divisions) {
   for (double& place : places) place = std::remainder(place, 2 * pi);
   std::ranges::sort(places);
   std::vector<double> kept;
@@ -210,7 +213,7 @@ std::vector<double> crowded(std::vector<double> places) {
       edges.push_back(a + step);
       edges.push_back(b - step);
     }
-    const int parts = static_cast<int>((b - a) / widest) + 2;
+    const int parts = static_cast<int>(divisions * (b - a) / widest) + 2;
     for (int part = 1; part < parts; ++part) edges.push_back(a + (b - a) * part / parts);
   }
   edges.push_back(kept.back());
@@ -237,8 +240,8 @@ RayIntegral integrate_rays(const SlopeMap& map, const Direction& omega_o,
   std::vector<double> places = {0, 0.5 * pi, pi, -0.5 * pi};
   for (const double azimuth : {plane, before, after})
     for (const double turned : {0.0, 0.5 * pi, pi, -0.5 * pi}) places.push_back(azimuth + turned);
-  const auto edges = crowded(places);
-  Panels sum(turn, 1e-2 * tolerance);
+  const auto edges = crowded(places, parts);
+  Panels sum(turn, 1e-2 * tolerance, rays.evaluations);
   sum.add(edges);
   return {sum.value, sum.doubt + 2 * pi * rays.worst_doubt, rays.evaluations};
 }

@@ -8,10 +8,8 @@ using namespace test;
 namespace {
 
 // Sanitizers make everything slower.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(BRDFPLOT_SANITIZED)
 constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
 #else
 constexpr bool sanitized = false;
 #endif
