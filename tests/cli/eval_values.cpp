@@ -165,6 +165,18 @@ TEST_CASE("the last guard: what is no number ends the stream with its row") {
   }
 }
 
+TEST_CASE("single precision: a value beyond float's range ends the stream with its row") {
+  const Folder folder;
+  folder.write("m.json", R"({"distribution": {"type": "ggx", "alpha": 0.5}, "shadowing": {"type": "none"}})");
+  folder.write("in.csv", "x_o,y_o,z_o,x_i,y_i,z_i\n0,0,1,1,0,1\n0,0,1,1,0,1e-42\n");
+  const std::string command = "brdfplot eval m.json -q brdf -i in.csv --precision ";
+  CHECK(check_output(folder, command + "double").find("5.092958178940651e+40") != std::string::npos);
+  const Outcome outcome = run(folder, command + "single");
+  CHECK(outcome.code == 4);
+  CHECK(outcome.err.find("in.csv:3: \"brdf\": found ") != std::string::npos);
+  CHECK(outcome.out == "x_o,y_o,z_o,x_i,y_i,z_i,brdf\n0,0,1,1,0,1,0.21728936\n");
+}
+
 TEST_CASE("an accuracy out of reach names the row and the estimate reached") {
   const Folder folder;
   folder.write("in.csv", "theta_o\n0.1\n1.5\n");
