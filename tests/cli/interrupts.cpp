@@ -7,13 +7,6 @@ using namespace test;
 
 namespace {
 
-// Sanitizers make everything slower.
-#if defined(BRDFPLOT_SANITIZED)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
 /// Interrupted after half a second of work for much longer.
 void check_interrupted(const Folder& folder, const std::string& command) {
   INFO(command);
