@@ -168,7 +168,8 @@ RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
   };
   const auto parts = components(one.material.distribution);
   const auto* dielectric = std::get_if<DielectricFresnel>(&one.material.fresnel);
-  const int panels = one.integral == Integral::albedo && dielectric != nullptr && dielectric->eta[0] < 1 ? 6 : 1;
+  const bool critical = one.integral == Integral::albedo && dielectric != nullptr && dielectric->eta[0] < 1;
+  const int panels = critical || of_tolerance < 1 ? 6 : 1;
   RayIntegral sum;
   for (const Component& component : parts) {
     const RayIntegral part = integrate_rays(component.frame, one.o, inside, integrand(one, component, parts.size() > 1),
