@@ -105,7 +105,7 @@ std::string place(const Residual& residual, const PropertySearch& search) {
            short_number(residual.error) + " at theta_o = " + in_degrees(residual.theta_o);
   if (residual.verdict == Verdict::fails)
     return "at theta_o = " + in_degrees(residual.theta_o) + ", phi_o = " + in_degrees(residual.phi_o);
-  return residual.verdict == Verdict::not_applicable ? "does not apply: not shape-invariant" : "";
+  return residual.verdict == Verdict::not_applicable ? "does not apply: " + residual.reason : "";
 }
 
 /// A material by itself: a line a property.

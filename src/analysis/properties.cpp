@@ -32,6 +32,21 @@ std::string text_of(const Value& value) {
   return out;
 }
 
+Verdict verdict_of(const PropertyRow& row, Property property) {
+  const auto found = row.residuals.find(property);
+  return found == row.residuals.end() ? Verdict::unknown : found->second.verdict;
+}
+
+/// Whether a property is one of the BRDF itself; the others are of the microsurface that it is derived from.
+bool of_brdf(Property property) { return property == Property::reciprocity || property == Property::energy; }
+
+/// Why a property says nothing of any of these materials; nothing where it may.
+std::string why_not_applicable(Property property, const std::vector<MaterialDescription>& family) {
+  const auto fitted = [](const MaterialDescription& m) { return is_fit(build(m).facet); };
+  if (!of_brdf(property) && std::ranges::all_of(family, fitted)) return "the BRDF is a fit, of no microsurface";
+  return {};
+}
+
 } // namespace
 
 const std::vector<PropertyInfo>& properties() {
@@ -64,21 +79,18 @@ std::vector<std::string> claim_names() {
 }
 
 Verdict PropertyRow::physically_based() const {
-  Verdict verdict = Verdict::holds;
-  for (const Property property : table3_properties()) {
-    const auto found = residuals.find(property);
-    const Verdict one = found == residuals.end() ? Verdict::unknown : found->second.verdict;
-    if (one == Verdict::fails) return one;
-    if (one != Verdict::holds) verdict = Verdict::unknown;
-  }
-  return verdict;
+  const auto of = [&](Property property) { return verdict_of(*this, property); };
+  const auto& four = table3_properties();
+  if (std::ranges::any_of(four, [&](Property p) { return of(p) == Verdict::fails; })) return Verdict::fails;
+  for (const Verdict all : {Verdict::holds, Verdict::not_applicable})
+    if (std::ranges::all_of(four, [&](Property p) { return of(p) == all; })) return all;
+  return Verdict::unknown;
 }
 
 Verdict PropertyRow::verdict(const std::string& claim) const {
   if (claim == "physically_based") return physically_based();
   const auto info = std::ranges::find(properties(), claim, &PropertyInfo::name);
-  const auto found = residuals.find(info->property);
-  return found == residuals.end() ? Verdict::unknown : found->second.verdict;
+  return verdict_of(*this, info->property);
 }
 
 std::vector<double> PropertySearch::default_theta_o() {
@@ -88,6 +100,8 @@ std::vector<double> PropertySearch::default_theta_o() {
 }
 
 Residual measure(Property property, const std::vector<MaterialDescription>& family, const PropertySearch& search) {
+  if (const std::string reason = why_not_applicable(property, family); !reason.empty())
+    return {.verdict = Verdict::not_applicable, .reason = reason};
   WorstResidual worst(search.tolerance);
   for (const MaterialDescription& member : family) {
     const PropertySubject subject(member);
@@ -98,7 +112,9 @@ Residual measure(Property property, const std::vector<MaterialDescription>& fami
       worst.take(std::numeric_limits<double>::quiet_NaN(), 0, 0, 0);
     }
   }
-  return worst.residual();
+  Residual residual = worst.residual();
+  if (residual.verdict == Verdict::not_applicable) residual.reason = "not shape-invariant";
+  return residual;
 }
 
 std::string describe(const ModelChoice& distribution) {

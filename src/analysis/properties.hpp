@@ -54,6 +54,7 @@ struct Residual {
   double theta_o = 0;      ///< and the viewer, about the normal of the mesosurface
   double phi_o = 0;
   Verdict verdict = Verdict::unknown;
+  std::string reason{}; ///< why there is nothing to measure, where there is not
 };
 
 struct PropertyRow {
@@ -63,7 +64,8 @@ struct PropertyRow {
   std::string masking;
   std::map<Property, Residual> residuals; ///< of what was measured
 
-  /// Of the four of Table 3: fails where one fails, holds where all hold. unknown where one was not measured.
+  /// Of the four of Table 3: fails where one fails, holds where all hold, not_applicable where none applies. unknown
+  /// where one was not measured.
   Verdict physically_based() const;
   /// Of one of claim_names().
   Verdict verdict(const std::string& claim) const;

@@ -185,7 +185,7 @@ void WorstResidual::take(double residual, double error, double theta_o, double p
   any_ = true;
   // Of equals, as mirror images are but for rounding, the first.
   if (!first && (std::isnan(worst_.max_residual) || residual <= worst_.max_residual * (1 + 1e-9))) return;
-  worst_ = {residual, error, alpha_, theta_o, phi_o, Verdict::unknown};
+  worst_ = {residual, error, alpha_, theta_o, phi_o, Verdict::unknown, {}};
 }
 
 Residual WorstResidual::residual() const {

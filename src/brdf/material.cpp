@@ -115,7 +115,7 @@ void require_finite_lambda(const Distribution& distribution, const Masking& mask
 
 /// Oren and Nayar fitted one microsurface.
 void require_cavities(const Material& material) {
-  if (material.facet == Facet::specular || material.facet == Facet::diffuse) return;
+  if (!is_fit(material.facet)) return;
   if (std::holds_alternative<OrenNayar>(material.distribution) && std::holds_alternative<VCavity>(material.masking) &&
       std::holds_alternative<Minimum>(material.shadowing))
     return;

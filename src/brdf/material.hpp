@@ -23,6 +23,9 @@ enum class Facet {
   oren_nayar_qualitative, ///< by their simpler fit
 };
 
+/// Whether the BRDF is a published fit, which uses no microsurface.
+constexpr bool is_fit(Facet facet) { return facet != Facet::specular && facet != Facet::diffuse; }
+
 /// The names of `Facet`, in its order.
 const std::vector<std::string>& facet_names();
 

@@ -26,6 +26,7 @@ Json residual_json(const Residual& residual) {
               {"verdict", word(residual.verdict)}};
   if (residual.verdict == Verdict::not_applicable) {
     out["max_residual"] = nullptr;
+    out["reason"] = residual.reason;
     return out;
   }
   out["error"] = finite_or_null(residual.error);

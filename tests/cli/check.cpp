@@ -32,6 +32,26 @@ TEST_CASE("check: a claim that holds, and one that does not") {
   CHECK(bad.out.find("theta_o = 89deg, phi_o = 90deg") != std::string::npos);
 }
 
+TEST_CASE("check: what is of a microsurface does not apply to a BRDF that is a fit") {
+  const Folder folder;
+  const std::string text = check_output(folder, "brdfplot check configs/materials/oren_nayar.json");
+  for (const char* title : {"Eq. 14", "Eq. 18", "Eq. 36", "Eq. 37", "D normalized", "G1 in [0, 1]", "G1 = 1 at normal"})
+    CHECK(text.find("  - " + std::string(title)) != std::string::npos);
+  CHECK(text.find("does not apply: the BRDF is a fit, of no microsurface") != std::string::npos);
+  CHECK(text.find("  ✓ reciprocal") != std::string::npos);
+  CHECK(text.find("  ✗ energy <= 1         0.017") != std::string::npos);
+  CHECK(text.find("  - physically based") != std::string::npos);
+  const auto json =
+      nlohmann::json::parse(check_output(folder, "brdfplot check --json configs/materials/oren_nayar.json"));
+  CHECK(json["rows"][0]["eq14"]["verdict"] == "does not apply");
+  CHECK(json["rows"][0]["physically_based"] == false);
+  folder.write("m.json", R"({"distribution": {"type": "oren_nayar", "sigma": 0.5}, "masking": {"type": "v_cavity"},
+    "facet": "oren_nayar", "claims": ["physically_based"]})");
+  const Outcome claimed = run(folder, "brdfplot check m.json");
+  CHECK(claimed.code == 1);
+  CHECK(claimed.err == "brdfplot: error: m.json: /claims/0: \"physically_based\" does not apply\n");
+}
+
 TEST_CASE("check --json, --csv, --markdown, -o") {
   const Folder folder;
   write_materials(folder);
