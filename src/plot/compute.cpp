@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -88,7 +87,7 @@ struct Extremes {
   }
 };
 
-/// A series as a function that remembers: the first points are asked for twice.
+/// A series as a function that remembers its values at the first points, which are asked for twice.
 class CurveSource {
 public:
   CurveSource(const FigureDescription& figure, const PanelDescription& panel, Evaluator evaluator)
@@ -108,25 +107,22 @@ public:
 
   /// Widens the extremes to the values at the first points.
   void widen(Extremes& extremes) {
-    for (const double x : first_points(request_)) extremes.widen(request_.y, value(x));
+    first_.x = first_points(request_);
+    first_.y = evaluator_({first_.x});
+    for (const double y : first_.y) extremes.widen(request_.y, y);
   }
 
   Curve draw(const Extremes& extremes) {
     if (std::isnan(request_.y.from) && extremes.low < extremes.high) request_.y.from = extremes.low;
     if (std::isnan(request_.y.to) && extremes.low < extremes.high) request_.y.to = extremes.high;
-    return sample([this](double x) { return value(x); }, request_);
+    return sample([this](const std::vector<double>& x) { return x == first_.x ? first_.y : evaluator_({x}); },
+                  request_);
   }
 
 private:
-  double value(double x) {
-    const auto known = values_.find(x);
-    if (known != values_.end()) return known->second;
-    return values_.emplace(x, evaluator_({x})).first->second;
-  }
-
   Evaluator evaluator_;
   CurveRequest request_;
-  std::map<double, double> values_;
+  Curve first_;
 };
 
 /// Where simulations come from.
@@ -192,13 +188,20 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
 void fill_heatmap(const FigureDescription& figure, const PanelDescription& description, Panel& panel) {
   const Evaluator evaluator(description.series.at(0).value, {description.x.column, description.y.column},
                             figure.tolerance);
-  const auto value = [&](double x, double y) { return evaluator({x, y}); };
   Grid grid{lattice(description.x, figure.cells, 0.5, figure.cells),
             lattice(description.y, figure.cells, 0.5, figure.cells),
             {}};
+  SweptColumns cells(2);
   for (const double y : grid.y)
-    for (const double x : grid.x) grid.value.push_back(value(x, y));
+    for (const double x : grid.x) {
+      cells[0].push_back(x);
+      cells[1].push_back(y);
+    }
+  grid.value = evaluator(cells);
   panel.grid = std::move(grid);
+  const PlaneFunction value = [&](const std::vector<double>& x, const std::vector<double>& y) {
+    return evaluator({x, y});
+  };
   for (const auto& contour : description.contours)
     panel.contours.push_back(
         {contour.label, level_lines(value, contour.level, lattice(description.x, figure.cells, 0, figure.cells + 1),

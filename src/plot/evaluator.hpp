@@ -16,8 +16,8 @@ public:
   /// infinite by a division.
   Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance);
 
-  /// The value of an expression without simulated terms.
-  double operator()(const std::vector<double>& x) const;
+  /// The values of an expression without simulated terms, at all rows.
+  std::vector<double> operator()(const SweptColumns& x) const;
 
   /// Where a curve over `variable` may have something narrow.
   std::vector<double> seeds(const std::string& variable) const;
@@ -32,10 +32,10 @@ public:
   std::vector<simulation::Measured> measure(const std::vector<double>& x, simulation::Store& store, int threads) const;
 
 private:
-  double combined(const std::vector<double>& x) const;
+  std::vector<double> combined(const SweptColumns& x) const;
   simulation::Measured combine(const simulation::Measured& a, const simulation::Measured& b) const;
-  /// The last guard: throws where `value` at `x` is no answer.
-  void guard(double value, const std::vector<double>& x) const;
+  /// The last guard: throws where one of the values at `x` is no answer.
+  void guard(const std::vector<double>& values, const SweptColumns& x) const;
 
   Expression::Operation operation_;
   std::vector<std::string> swept_;

@@ -5,6 +5,7 @@
 #include "microfacet/registry.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace brdfplot::plot {
 
@@ -40,6 +41,24 @@ std::vector<std::string> numeric_variables(const MaterialDescription& material) 
 
 Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
 
+/// So many of direction_variables() move directions; what comes after them, and parameters, change the surface.
+constexpr std::ptrdiff_t moving_variables = 8;
+
+bool changes_surface(const std::string& variable) {
+  const auto& names = direction_variables();
+  return std::ranges::find(names, variable) - names.begin() >= moving_variables;
+}
+
+/// One channel of `all`, which has three, n apart, or a mixture of them.
+std::vector<double> mixed(const std::vector<double>& all, std::size_t n, Channel channel) {
+  const Rgb weights = weights_of(channel);
+  std::vector<double> out(n, 0);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (weights[c] != 0)
+      for (std::size_t k = 0; k < n; ++k) out[k] += weights[c] * all[c * n + k];
+  return out;
+}
+
 /// The names under which a term's quantity may go.
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
@@ -57,6 +76,7 @@ const std::vector<std::string>& direction_variables() {
 }
 
 bool depends_on(const std::string& quantity, const std::string& variable) {
+  if (variable == "channel") return is_coloured(quantity);
   const bool of_m = variable == "theta_m" || variable == "phi_m" || variable == "slope";
   const bool of_i = variable == "theta_i" || variable == "phi_i";
   const bool of_o_alone =
@@ -76,11 +96,15 @@ void Configuration::set_model(const std::string& variable, const std::string& ty
     set_type<Shadowing>(*material_.shadowing, variable, type);
   } else if (variable == "fresnel") {
     set_type<Fresnel>(material_.fresnel, variable, type);
+  } else if (variable == "channel") {
+    const auto found = std::ranges::find(channel_names(), type);
+    if (found == channel_names().end()) throw InputError("", unknown_name(variable, type, channel_names()));
+    channel_ = static_cast<Channel>(found - channel_names().begin());
   } else {
     const auto numbers = numeric_variables(material_);
     if (std::ranges::find(numbers, variable) != numbers.end())
       throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
-    throw InputError("", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel"}));
+    throw InputError("", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel", "channel"}));
   }
 }
 
@@ -127,60 +151,113 @@ std::optional<Direction> Configuration::direction(std::size_t which) const {
   return from_angles(*theta, phi.value_or(0));
 }
 
-void Configuration::transform(MaterialDescription& material, std::optional<Direction>& o, std::optional<Direction>& i,
-                              std::optional<Direction>& m) const {
-  const Material before = build(material);
-  if (!std::visit([](const auto& d) { return d.shape_invariant; }, before.distribution))
-    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
-                             material.distribution.type + "\" is none");
-  const SlopeMap& map = before.slopes();
+Values Configuration::transformed(const SlopeMap& map) const {
   Values values;
   values.set("alpha_x", map.alpha_x / stretch_[0]);
   values.set("alpha_y", map.alpha_y / stretch_[1]);
   values.set("correlation", map.correlation);
   values.set("mean_slope", Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
-  material.distribution.values = values;
-  for (auto* direction : {&o, &i}) {
+  return values;
+}
+
+Configuration::Surface Configuration::surface() const {
+  Material material = build(material_);
+  const SlopeMap before = material.slopes();
+  if (!is_transformed()) return {material_, std::move(material), before};
+  if (!std::visit([](const auto& d) { return d.shape_invariant; }, material.distribution))
+    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
+                             material_.distribution.type + "\" is none");
+  MaterialDescription description = material_;
+  description.distribution.values = transformed(before);
+  material = build(description);
+  return {std::move(description), std::move(material), before};
+}
+
+Directions Configuration::directions(const Surface& surface) const {
+  Directions out{direction(0), direction(1), direction(2)};
+  if (a_) {
+    const double phi = angle_[1].value_or(0);
+    const double alpha_o = surface.before.project(from_angles(std::acos(0.0), phi)).s;
+    out.o = from_angles(std::atan2(1.0, *a_ * alpha_o), phi);
+  }
+  if (slope_) out.m = from_angles(std::atan(*slope_), angle_[5].value_or(0));
+  if (!is_transformed()) return out;
+  for (auto* direction : {&out.o, &out.i}) {
     if (!*direction) continue;
     const Direction d = stretched(**direction, stretch_[0], stretch_[1]);
     *direction = normalized({d.x, d.y, d.z + shear_[0] * d.x + shear_[1] * d.y});
   }
-  if (m) {
-    const Direction d = stretched(*m, 1 / stretch_[0], 1 / stretch_[1]);
-    *m = normalized({d.x - shear_[0] * d.z, d.y - shear_[1] * d.z, d.z});
+  if (out.m) {
+    const Direction d = stretched(*out.m, 1 / stretch_[0], 1 / stretch_[1]);
+    out.m = normalized({d.x - shear_[0] * d.z, d.y - shear_[1] * d.z, d.z});
   }
+  return out;
 }
 
 Configuration::Ready Configuration::ready() const {
-  auto o = direction(0), i = direction(1), m = direction(2);
-  MaterialDescription material = material_;
-  if (a_) {
-    const double phi = angle_[1].value_or(0);
-    const double alpha_o = build(material).slopes().project(from_angles(std::acos(0.0), phi)).s;
-    o = from_angles(std::atan2(1.0, *a_ * alpha_o), phi);
-  }
-  if (slope_) m = from_angles(std::atan(*slope_), angle_[5].value_or(0));
-  if (stretch_ != Vec2{1, 1} || shear_ != Vec2{0, 0}) transform(material, o, i, m);
-  Material built = build(material);
-  return {std::move(material), std::move(built), o, i, m};
+  Surface made = surface();
+  const Directions at = directions(made);
+  return {std::move(made.description), std::move(made.material), at.o, at.i, at.m, channel_};
 }
 
 SweptConfiguration::SweptConfiguration(const Term& term, std::vector<std::string> swept)
     : fixed_(term.material), swept_(std::move(swept)) {
   for (const auto& setting : term.at) fixed_.set(setting);
-  for (const auto& variable : swept_)
-    is_fixed_.push_back(std::ranges::find(term.at, variable, &Setting::variable) != term.at.end());
+  for (std::size_t k = 0; k < swept_.size(); ++k)
+    if (std::ranges::find(term.at, swept_[k], &Setting::variable) == term.at.end())
+      (changes_surface(swept_[k]) ? changing_ : moving_).push_back(k);
+  if (changing_.empty()) surface_ = fixed_.surface();
 }
+
+bool SweptConfiguration::is_constant() const { return changing_.empty() && moving_.empty(); }
 
 Configuration::Ready SweptConfiguration::at(const std::vector<double>& values) const {
   Configuration configuration = fixed_;
-  for (std::size_t k = 0; k < swept_.size(); ++k)
-    if (!is_fixed_[k]) configuration.set({swept_[k], values[k]});
+  for (const auto* variables : {&changing_, &moving_})
+    for (const std::size_t k : *variables) configuration.set({swept_[k], values[k]});
   return configuration.ready();
 }
 
+std::vector<SweptConfiguration::Rows> SweptConfiguration::rows_by_surface(const SweptColumns& columns) const {
+  const std::size_t count = columns.empty() ? 1 : columns.front().size();
+  std::vector<Rows> groups;
+  std::map<std::vector<double>, std::size_t> known;
+  for (std::size_t row = 0; row < count; ++row) {
+    std::vector<double> values;
+    for (const std::size_t k : changing_) values.push_back(columns[k][row]);
+    const auto [place, is_new] = known.emplace(std::move(values), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[place->second].push_back(row);
+  }
+  return groups;
+}
+
+void SweptConfiguration::for_each_surface(const SweptColumns& columns, const Visitor& visit) const {
+  constexpr std::size_t most = 1024;
+  Configuration configuration = fixed_;
+  const auto set = [&](const std::vector<std::size_t>& variables, std::size_t row) {
+    for (const std::size_t k : variables) configuration.set({swept_[k], columns[k][row]});
+  };
+  for (const Rows& rows : rows_by_surface(columns)) {
+    set(changing_, rows.front());
+    const auto changed = surface_ ? std::nullopt : std::optional(configuration.surface());
+    const Configuration::Surface& surface = surface_ ? *surface_ : *changed;
+    for (std::size_t first = 0; first < rows.size(); first += most) {
+      throw_if_interrupted();
+      const auto from = rows.begin() + static_cast<std::ptrdiff_t>(first);
+      const Rows some(from, from + static_cast<std::ptrdiff_t>(std::min(most, rows.size() - first)));
+      std::vector<Directions> directions;
+      for (const std::size_t row : some) {
+        set(moving_, row);
+        directions.push_back(configuration.directions(surface));
+      }
+      visit(surface, some, directions);
+    }
+  }
+}
+
 TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, double tolerance)
-    : configuration_(term, std::move(swept)), tolerance_(tolerance) {
+    : name_(term.quantity), configuration_(term, std::move(swept)), tolerance_(tolerance) {
   for (const auto& info : quantities())
     if (info.name == term.quantity) quantity_ = info.quantity;
   for (const auto& info : integrals())
@@ -188,24 +265,78 @@ TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, dou
   if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
 }
 
-void TermFunction::require_directions(const Configuration::Ready& ready) const {
-  if (integral_ && !ready.o) throw InputError("", "this quantity needs theta_o");
+void TermFunction::require_all(const MaterialDescription& description, const Material& material,
+                               const Directions& directions) const {
+  if (integral_ && !directions.o) throw InputError("", "this quantity needs theta_o");
   if (quantity_)
-    require(ready.material, quantities()[static_cast<std::size_t>(*quantity_)], ready.o.has_value(),
-            ready.i.has_value(), ready.m.has_value());
+    require(material, quantities()[static_cast<std::size_t>(*quantity_)], directions.o.has_value(),
+            directions.i.has_value(), directions.m.has_value());
+  require_channel(description, material, fixed().channel(), name_);
+  if (integral_ && *integral_ != Integral::albedo && is_coloured(name_)) single_channel(fixed().channel(), name_);
 }
 
-void TermFunction::check(const std::vector<double>& values) const { require_directions(configuration_.at(values)); }
-
-double TermFunction::operator()(const std::vector<double>& values) const {
-  throw_if_interrupted();
+void TermFunction::check(const std::vector<double>& values) const {
   const auto ready = configuration_.at(values);
-  require_directions(ready);
-  if (integral_) return compute_or_throw(*integral_, ready.material, *ready.o, tolerance_);
-  const double value = evaluate(ready.material, *quantity_, ready.o.value_or(Direction{0, 0, 1}), ready.i, ready.m);
-  if (is_told(*quantity_, value)) return value;
-  throw AccuracyError("", "\"" + quantities()[static_cast<std::size_t>(*quantity_)].name + "\": found " +
-                              format_number(value) + ", accepted: a finite number");
+  require_all(ready.description, ready.material, {ready.o, ready.i, ready.m});
+}
+
+double TermFunction::integral_at(const Material& material, const Direction& o) const {
+  throw_if_interrupted();
+  const auto of_channel = [&](int channel) {
+    return compute_or_throw(*integral_, material, o, tolerance_, channel);
+  };
+  if (material.channels() == 1) return of_channel(0);
+  if (fixed().channel() != Channel::luminance) return of_channel(single_channel(fixed().channel(), name_));
+  const Rgb weights = weights_of(Channel::luminance);
+  double sum = 0;
+  for (int channel = 0; channel < 3; ++channel)
+    sum += weights[static_cast<std::size_t>(channel)] * of_channel(channel);
+  return sum;
+}
+
+std::vector<double> TermFunction::evaluated(const Material& material, const std::vector<Directions>& directions) const {
+  const std::size_t n = directions.size();
+  const auto& info = quantities()[static_cast<std::size_t>(*quantity_)];
+  std::array<std::vector<double>, 9> components;
+  const auto columns = [&](std::size_t first, const auto& direction) {
+    for (const Directions& row : directions) {
+      const Direction d = direction(row);
+      components[first].push_back(d.x);
+      components[first + 1].push_back(d.y);
+      components[first + 2].push_back(d.z);
+    }
+    return Columns{components[first].data(), components[first + 1].data(), components[first + 2].data()};
+  };
+  Batch batch{n, {}, {}, {}};
+  batch.o = columns(0, [](const Directions& row) { return row.o.value_or(Direction{0, 0, 1}); });
+  if (directions.front().i) batch.i = columns(3, [](const Directions& row) { return *row.i; });
+  if (directions.front().m) batch.m = columns(6, [](const Directions& row) { return *row.m; });
+  const std::size_t channels = info.coloured ? static_cast<std::size_t>(material.channels()) : 1;
+  std::vector<double> all(channels * n);
+  evaluate(material, *quantity_, batch, all.data());
+  if (channels > 1) all = mixed(all, n, fixed().channel().value_or(Channel::r));
+  for (const double value : all)
+    if (!is_told(*quantity_, value))
+      throw AccuracyError("", "\"" + name_ + "\": found " + format_number(value) + ", accepted: a finite number");
+  return all;
+}
+
+std::vector<double> TermFunction::operator()(const SweptColumns& columns) const {
+  std::vector<double> out(columns.empty() ? 1 : columns.front().size());
+  configuration_.for_each_surface(columns, [&](const Configuration::Surface& surface, const auto& rows,
+                                               const auto& directions) {
+    require_all(surface.description, surface.material, directions.front());
+    std::vector<double> values;
+    if (quantity_) {
+      values = evaluated(surface.material, directions);
+    } else if (configuration_.is_constant()) {
+      values.assign(rows.size(), integral_at(surface.material, *directions.front().o));
+    } else {
+      for (const Directions& row : directions) values.push_back(integral_at(surface.material, *row.o));
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) out[rows[k]] = values[k];
+  });
+  return out;
 }
 
 } // namespace brdfplot::plot
