@@ -87,7 +87,7 @@ struct Extremes {
   }
 };
 
-/// A series as a function that remembers its values at the first points, which are asked for twice.
+/// A series that is computed.
 class CurveSource {
 public:
   CurveSource(const FigureDescription& figure, const PanelDescription& panel, Evaluator evaluator)
@@ -107,22 +107,18 @@ public:
 
   /// Widens the extremes to the values at the first points.
   void widen(Extremes& extremes) {
-    first_.x = first_points(request_);
-    first_.y = evaluator_({first_.x});
-    for (const double y : first_.y) extremes.widen(request_.y, y);
+    for (const double y : evaluator_({first_points(request_)})) extremes.widen(request_.y, y);
   }
 
   Curve draw(const Extremes& extremes) {
     if (std::isnan(request_.y.from) && extremes.low < extremes.high) request_.y.from = extremes.low;
     if (std::isnan(request_.y.to) && extremes.low < extremes.high) request_.y.to = extremes.high;
-    return sample([this](const std::vector<double>& x) { return x == first_.x ? first_.y : evaluator_({x}); },
-                  request_);
+    return sample([this](const std::vector<double>& x) { return evaluator_({x}); }, request_);
   }
 
 private:
   Evaluator evaluator_;
   CurveRequest request_;
-  Curve first_;
 };
 
 /// Where simulations come from.
@@ -149,13 +145,13 @@ Series simulate(const PanelDescription& panel, const Evaluator& evaluator, const
 
 /// The series of a panel, those that are computed each as fine as the range of all of them asks for.
 void fill_curves(const FigureDescription& figure, const PanelDescription& description, const Simulator& simulator,
-                 Styles& styles, Panel& panel) {
+                 FirstValues& first, Styles& styles, Panel& panel) {
   std::vector<std::optional<CurveSource>> sources(description.series.size());
   panel.series.resize(sources.size());
   Extremes extremes;
   for (std::size_t k = 0; k < sources.size(); ++k)
     naming(place(figure, description, k), [&] {
-      Evaluator evaluator(description.series[k].value, {description.x.column}, figure.tolerance);
+      Evaluator evaluator(description.series[k].value, {description.x.column}, figure.tolerance, &first);
       if (evaluator.simulated().empty()) {
         sources[k].emplace(figure, description, std::move(evaluator)).widen(extremes);
         return;
@@ -219,6 +215,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 description.share,
                 {}};
   Styles styles;
+  FirstValues first;
   for (const auto& from : description.panels) {
     if (description.kind == Kind::profile) {
       figure.panels.push_back(naming(place(description, from), [&] { return profile_panel(from); }));
@@ -228,7 +225,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
     } else {
-      fill_curves(description, from, {store, threads}, styles, panel);
+      fill_curves(description, from, {store, threads}, first, styles, panel);
     }
     figure.panels.push_back(std::move(panel));
   }

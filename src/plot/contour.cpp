@@ -117,7 +117,7 @@ std::vector<Contour::Line> level_lines(const PlaneFunction& value, double level,
   for (std::size_t k = 0; k < segments.size(); ++k)
     for (const Edge& edge : segments[k]) ends.emplace(edge, k);
   std::vector<bool> used(segments.size(), false);
-  std::vector<Edge> edges;            // of all lines, one after the other
+  std::vector<Edge> edges; // of all lines, one after the other
   std::vector<std::size_t> lengths;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     if (used[k]) continue;
@@ -136,8 +136,8 @@ std::vector<Contour::Line> level_lines(const PlaneFunction& value, double level,
   std::ptrdiff_t first = 0;
   for (const std::size_t length : lengths) {
     const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(length);
-    lines.push_back({{points.x.begin() + first, points.x.begin() + last},
-                     {points.y.begin() + first, points.y.begin() + last}});
+    lines.push_back(
+        {{points.x.begin() + first, points.x.begin() + last}, {points.y.begin() + first, points.y.begin() + last}});
     first = last;
   }
   return lines;

@@ -49,13 +49,21 @@ std::vector<double> narrow_places(const std::string& variable, const Configurati
 
 } // namespace
 
-Evaluator::Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance)
-    : operation_(expression.operation), swept_(swept) {
+std::vector<double> FirstValues::of(const std::string& text, const TermFunction& term, const SweptColumns& x) {
+  const auto known = known_.find(text);
+  if (known == known_.end()) return known_.emplace(text, Known{x, term(x)}).first->second.values;
+  return known->second.x == x ? known->second.values : term(x);
+}
+
+Evaluator::Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance,
+                     FirstValues* first)
+    : operation_(expression.operation), swept_(swept), first_(first) {
   if (operation_ == Expression::Operation::term && expression.term.simulate)
     simulated_.emplace(expression.term, swept);
   else if (operation_ == Expression::Operation::term)
     term_.emplace(expression.term, swept, tolerance);
-  for (const auto& operand : expression.operands) operands_.emplace_back(operand, swept, tolerance);
+  if (term_ && first_) text_ = defining_text(expression.term, swept);
+  for (const auto& operand : expression.operands) operands_.emplace_back(operand, swept, tolerance, first);
 }
 
 std::vector<double> Evaluator::operator()(const SweptColumns& x) const {
@@ -77,7 +85,7 @@ void Evaluator::guard(const std::vector<double>& values, const SweptColumns& x) 
 }
 
 std::vector<double> Evaluator::combined(const SweptColumns& x) const {
-  if (operation_ == Expression::Operation::term) return (*term_)(x);
+  if (term_) return first_ ? first_->of(text_, *term_, x) : (*term_)(x);
   std::vector<double> values = operands_[0](x);
   if (operation_ == Expression::Operation::absolute) {
     for (double& value : values) value = std::fabs(value);

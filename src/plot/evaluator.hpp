@@ -5,16 +5,35 @@
 #include "plot/simulated.hpp"
 #include "plot/term.hpp"
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace brdfplot::plot {
 
+/// The values of terms where they are first asked for. Series share terms, such as what all are compared with, and the
+/// points with which their sampling begins; and these are asked for twice.
+class FirstValues {
+public:
+  /// The values of `term` at `x`, which belongs to the text that defines it.
+  std::vector<double> of(const std::string& text, const TermFunction& term, const SweptColumns& x);
+
+private:
+  struct Known {
+    SweptColumns x;
+    std::vector<double> values;
+  };
+  std::map<std::string, Known> known_;
+};
+
 class Evaluator {
 public:
+  /// What `first` remembers of other expressions with the same tolerance is not computed again; it may be null.
   /// \throws InputError as TermFunction and SimulatedTerm do. Values: AccuracyError where one is not a number, or
   /// infinite by a division.
-  Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance);
+  Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance,
+            FirstValues* first = nullptr);
 
   /// The values of an expression without simulated terms, at all rows.
   std::vector<double> operator()(const SweptColumns& x) const;
@@ -42,6 +61,8 @@ private:
   std::optional<TermFunction> term_;
   std::optional<SimulatedTerm> simulated_;
   std::vector<Evaluator> operands_;
+  std::string text_; ///< that defines the term
+  FirstValues* first_ = nullptr;
 };
 
 } // namespace brdfplot::plot

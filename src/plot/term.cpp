@@ -104,7 +104,8 @@ void Configuration::set_model(const std::string& variable, const std::string& ty
     const auto numbers = numeric_variables(material_);
     if (std::ranges::find(numbers, variable) != numbers.end())
       throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
-    throw InputError("", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel", "channel"}));
+    throw InputError(
+        "", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel", "channel"}));
   }
 }
 
@@ -272,7 +273,8 @@ void TermFunction::require_all(const MaterialDescription& description, const Mat
     require(material, quantities()[static_cast<std::size_t>(*quantity_)], directions.o.has_value(),
             directions.i.has_value(), directions.m.has_value());
   require_channel(description, material, fixed().channel(), name_);
-  if (integral_ && *integral_ != Integral::albedo && is_coloured(name_)) single_channel(fixed().channel(), name_);
+  if (integral_ && *integral_ != Integral::albedo && is_coloured(name_) && material.channels() > 1)
+    single_channel(fixed().channel(), name_);
 }
 
 void TermFunction::check(const std::vector<double>& values) const {
@@ -282,15 +284,12 @@ void TermFunction::check(const std::vector<double>& values) const {
 
 double TermFunction::integral_at(const Material& material, const Direction& o) const {
   throw_if_interrupted();
-  const auto of_channel = [&](int channel) {
-    return compute_or_throw(*integral_, material, o, tolerance_, channel);
-  };
+  const auto of_channel = [&](int channel) { return compute_or_throw(*integral_, material, o, tolerance_, channel); };
   if (material.channels() == 1) return of_channel(0);
   if (fixed().channel() != Channel::luminance) return of_channel(single_channel(fixed().channel(), name_));
   const Rgb weights = weights_of(Channel::luminance);
   double sum = 0;
-  for (int channel = 0; channel < 3; ++channel)
-    sum += weights[static_cast<std::size_t>(channel)] * of_channel(channel);
+  for (int channel = 0; channel < 3; ++channel) sum += weights[static_cast<std::size_t>(channel)] * of_channel(channel);
   return sum;
 }
 
@@ -323,19 +322,20 @@ std::vector<double> TermFunction::evaluated(const Material& material, const std:
 
 std::vector<double> TermFunction::operator()(const SweptColumns& columns) const {
   std::vector<double> out(columns.empty() ? 1 : columns.front().size());
-  configuration_.for_each_surface(columns, [&](const Configuration::Surface& surface, const auto& rows,
-                                               const auto& directions) {
-    require_all(surface.description, surface.material, directions.front());
-    std::vector<double> values;
-    if (quantity_) {
-      values = evaluated(surface.material, directions);
-    } else if (configuration_.is_constant()) {
-      values.assign(rows.size(), integral_at(surface.material, *directions.front().o));
-    } else {
-      for (const Directions& row : directions) values.push_back(integral_at(surface.material, *row.o));
-    }
-    for (std::size_t k = 0; k < rows.size(); ++k) out[rows[k]] = values[k];
-  });
+  configuration_.for_each_surface(columns,
+                                  [&](const Configuration::Surface& surface, const auto& rows, const auto& directions) {
+                                    require_all(surface.description, surface.material, directions.front());
+                                    std::vector<double> values;
+                                    if (quantity_) {
+                                      values = evaluated(surface.material, directions);
+                                    } else if (configuration_.is_constant()) {
+                                      values.assign(rows.size(), integral_at(surface.material, *directions.front().o));
+                                    } else {
+                                      for (const Directions& row : directions)
+                                        values.push_back(integral_at(surface.material, *row.o));
+                                    }
+                                    for (std::size_t k = 0; k < rows.size(); ++k) out[rows[k]] = values[k];
+                                  });
   return out;
 }
 
