@@ -333,21 +333,23 @@ Estimate furnace(const Material& material, const Direction& o, double tolerance)
 double weak_furnace_on_grid(const Material& material, const Direction& o) {
   constexpr double step = 0.05;
   const double c = material.slopes().project(o).c;
-  std::vector<Direction> lights;
-  std::vector<double> weights;
-  for (int row = 0; row * step <= std::numbers::pi; ++row)
-    for (int column = 0; column * step <= 2 * std::numbers::pi; ++column) {
-      lights.push_back(from_angles(row * step, column * step));
-      weights.push_back(std::sin(row * step));
-    }
+  std::vector<Vec2> azimuths;
+  for (int column = 0; column * step <= 2 * std::numbers::pi; ++column)
+    azimuths.push_back({std::cos(column * step), std::sin(column * step)});
+  const std::size_t n = azimuths.size();
+  std::vector<double> g1(n), d(n);
   Rows rows(o);
-  const Batch batch = rows.fill(lights.size(), true, false, [&](std::size_t k) { return lights[k]; });
-  std::vector<double> g1(lights.size()), d(lights.size());
-  evaluate(material, Quantity::g1, batch, g1.data());
-  evaluate(material, Quantity::d, batch, d.data());
   double sum = 0;
-  for (std::size_t k = 0; k < lights.size(); ++k)
-    if (g1[k] > 0) sum += weights[k] * g1[k] * d[k];
+  for (int row = 0; row * step <= std::numbers::pi; ++row) {
+    const double sin_theta = std::sin(row * step), cos_theta = std::cos(row * step);
+    const Batch batch = rows.fill(n, true, false, [&](std::size_t k) {
+      return Direction{azimuths[k][0] * sin_theta, azimuths[k][1] * sin_theta, cos_theta};
+    });
+    evaluate(material, Quantity::g1, batch, g1.data());
+    evaluate(material, Quantity::d, batch, d.data());
+    for (std::size_t k = 0; k < n; ++k)
+      if (g1[k] > 0) sum += sin_theta * g1[k] * d[k];
+  }
   return sum * step * step / (4 * c);
 }
 
