@@ -18,6 +18,7 @@ using simulation::Measured;
 std::vector<double> binned(const Term& lobe, const SimulatedTerm& simulated, const std::vector<double>& theta_i,
                            double tolerance) {
   constexpr int along = 8, across = 8;
+  constexpr std::size_t all = std::size_t{along} * across;
   const TermFunction function(lobe, {"theta_i", "phi_i"}, tolerance);
   const double phi_o = function.fixed().angle("phi_o").value_or(0);
   const double width = theta_i[1] - theta_i[0];
@@ -34,7 +35,7 @@ std::vector<double> binned(const Term& lobe, const SimulatedTerm& simulated, con
       }
   const std::vector<double> values = function(at);
   std::vector<double> out(theta_i.size(), 0);
-  for (std::size_t k = 0; k < values.size(); ++k) out[k / (along * across)] += values[k] / (along * across);
+  for (std::size_t k = 0; k < values.size(); ++k) out[k / all] += values[k] / all;
   return out;
 }
 
