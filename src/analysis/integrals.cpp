@@ -353,15 +353,21 @@ double weak_furnace_on_grid(const Material& material, const Direction& o) {
   return sum * step * step / (4 * c);
 }
 
-/// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i.
+/// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i. What is dark is asked
+/// for again, as much more accurately as it is darker.
 Estimate mean_theta_i(const Material& material, const Direction& o, double tolerance, int channel) {
   const Direction along = azimuth(o);
   const auto sideways = [&](const Direction& i) { return dot(along, i); };
-  const auto x = reflected_light(material, o, 0.1 * tolerance, channel, sideways);
-  const auto z = reflected_light(material, o, 0.1 * tolerance, channel, [](const Direction& i) { return i.z; });
-  const double length = std::hypot(x.value, z.value);
-  return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
-          x.evaluations + z.evaluations};
+  double length = 0;
+  const auto mean = [&](double asked) -> Estimate {
+    const auto x = reflected_light(material, o, asked, channel, sideways);
+    const auto z = reflected_light(material, o, asked, channel, [](const Direction& i) { return i.z; });
+    length = std::hypot(x.value, z.value);
+    return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
+            x.evaluations + z.evaluations};
+  };
+  const Estimate estimate = mean(0.1 * tolerance);
+  return estimate.error <= tolerance || !(length > 0) || length >= 1 ? estimate : mean(0.1 * tolerance * length);
 }
 
 } // namespace
