@@ -333,25 +333,41 @@ Estimate furnace(const Material& material, const Direction& o, double tolerance)
 double weak_furnace_on_grid(const Material& material, const Direction& o) {
   constexpr double step = 0.05;
   const double c = material.slopes().project(o).c;
+  std::vector<Vec2> azimuths;
+  for (int column = 0; column * step <= 2 * std::numbers::pi; ++column)
+    azimuths.push_back({std::cos(column * step), std::sin(column * step)});
+  const std::size_t n = azimuths.size();
+  std::vector<double> g1(n), d(n);
+  Rows rows(o);
   double sum = 0;
   for (int row = 0; row * step <= std::numbers::pi; ++row) {
-    for (int column = 0; column * step <= 2 * std::numbers::pi; ++column) {
-      const Direction i = from_angles(row * step, column * step);
-      const double value = evaluate(material, Quantity::g1, o, i, std::nullopt);
-      if (value > 0) sum += std::sin(row * step) * value * evaluate(material, Quantity::d, o, i, std::nullopt);
-    }
+    const double sin_theta = std::sin(row * step), cos_theta = std::cos(row * step);
+    const Batch batch = rows.fill(n, true, false, [&](std::size_t k) {
+      return Direction{azimuths[k][0] * sin_theta, azimuths[k][1] * sin_theta, cos_theta};
+    });
+    evaluate(material, Quantity::g1, batch, g1.data());
+    evaluate(material, Quantity::d, batch, d.data());
+    for (std::size_t k = 0; k < n; ++k)
+      if (g1[k] > 0) sum += sin_theta * g1[k] * d[k];
   }
   return sum * step * step / (4 * c);
 }
 
-/// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i.
-Estimate mean_theta_i(const Material& material, const Direction& o, double tolerance) {
+/// atan2 of the mean horizontal and vertical component of omega_i, weighted by rho cos theta_i. What is dark is asked
+/// for again, as much more accurately as it is darker.
+Estimate mean_theta_i(const Material& material, const Direction& o, double tolerance, int channel) {
   const Direction along = azimuth(o);
-  const auto x = reflected_light(material, o, 0.1 * tolerance, 0, [&](const Direction& i) { return dot(along, i); });
-  const auto z = reflected_light(material, o, 0.1 * tolerance, 0, [](const Direction& i) { return i.z; });
-  const double length = std::hypot(x.value, z.value);
-  return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
-          x.evaluations + z.evaluations};
+  const auto sideways = [&](const Direction& i) { return dot(along, i); };
+  double length = 0;
+  const auto mean = [&](double asked) -> Estimate {
+    const auto x = reflected_light(material, o, asked, channel, sideways);
+    const auto z = reflected_light(material, o, asked, channel, [](const Direction& i) { return i.z; });
+    length = std::hypot(x.value, z.value);
+    return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
+            x.evaluations + z.evaluations};
+  };
+  const Estimate estimate = mean(0.1 * tolerance);
+  return estimate.error <= tolerance || !(length > 0) || length >= 1 ? estimate : mean(0.1 * tolerance * length);
 }
 
 } // namespace
@@ -364,9 +380,9 @@ const std::vector<IntegralInfo>& integrals() {
       {Integral::furnace, "furnace", "white furnace, Eq. 34 with F = 1", false},
       {Integral::albedo, "albedo", "directional albedo, integral of rho cos theta_i", true},
       {Integral::weak_furnace_grid, "weak_furnace_grid", "Eq. 36 summed on the 0.05 rad grid of Appendix C", false},
-      {Integral::mean_theta_i, "mean_theta_i", "polar angle of the mean reflected direction, rad", false},
+      {Integral::mean_theta_i, "mean_theta_i", "polar angle of the mean reflected direction, rad", true},
       {Integral::peak_theta_i, "peak_theta_i", "angle of the largest rho cos theta_i in the plane of incidence, rad",
-       false},
+       true},
   };
   return all;
 }
@@ -389,8 +405,8 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
   case Integral::furnace: return furnace(material, omega_o, tolerance);
   case Integral::albedo: return reflected_light(material, omega_o, tolerance, channel, one);
   case Integral::weak_furnace_grid: return {weak_furnace_on_grid(material, omega_o), 0, std::size_t{63} * 126};
-  case Integral::mean_theta_i: return mean_theta_i(material, omega_o, tolerance);
-  case Integral::peak_theta_i: return peak_theta_i(material, omega_o, narrowest_width(material));
+  case Integral::mean_theta_i: return mean_theta_i(material, omega_o, tolerance, channel);
+  case Integral::peak_theta_i: return peak_theta_i(material, omega_o, narrowest_width(material), channel);
   }
   return {};
 }

@@ -38,7 +38,7 @@ const std::vector<IntegralInfo>& integrals();
 inline constexpr double default_tolerance = 1e-9;
 
 /// An integral at omega_o (unit length). 0 at and below the horizon of the mesosurface. `tolerance` is absolute, for
-/// values of order 1 (projected_area: relative to c_o). `channel` selects red, green or blue of a coloured albedo.
+/// values of order 1 (projected_area: relative to c_o). `channel` selects red, green or blue of what is coloured.
 /// The estimate's error bounds the true one; weak_furnace_grid has none (0).
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o,
                  double tolerance = default_tolerance, int channel = 0);

@@ -20,18 +20,32 @@ namespace {
 /// rho cos theta_i over theta_i in the plane of incidence.
 class Lobe {
 public:
-  Lobe(const Material& material, const Direction& o) : material_(material), o_(o), along_(azimuth(o)) {}
+  Lobe(const Material& material, const Direction& o, int channel)
+      : material_(material), o_(o), along_(azimuth(o)), channel_(static_cast<std::size_t>(channel)) {}
 
-  double operator()(double theta) {
-    ++evaluations;
-    const Direction i{std::sin(theta) * along_.x, std::sin(theta) * along_.y, std::cos(theta)};
-    return evaluate(material_, Quantity::brdf_cos, o_, i, std::nullopt);
+  double operator()(double theta) { return (*this)(std::vector<double>{theta}).front(); }
+
+  std::vector<double> operator()(const std::vector<double>& theta) {
+    const std::size_t n = theta.size();
+    evaluations += n;
+    std::vector<double> x, y, z;
+    for (const double one : theta) {
+      x.push_back(std::sin(one) * along_.x);
+      y.push_back(std::sin(one) * along_.y);
+      z.push_back(std::cos(one));
+    }
+    const std::vector<double> o_x(n, o_.x), o_y(n, o_.y), o_z(n, o_.z);
+    std::vector<double> all(static_cast<std::size_t>(material_.channels()) * n);
+    evaluate(material_, Quantity::brdf_cos,
+             {n, {o_x.data(), o_y.data(), o_z.data()}, {x.data(), y.data(), z.data()}, {}}, all.data());
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(channel_ * n);
+    return {first, first + static_cast<std::ptrdiff_t>(n)};
   }
 
   /// Derivative by five points h apart; its error is of order h^4.
   double slope(double theta, double h) {
-    return (8 * ((*this)(theta + h) - (*this)(theta - h)) - ((*this)(theta + 2 * h) - (*this)(theta - 2 * h))) /
-           (12 * h);
+    const std::vector<double> y = (*this)({theta + h, theta - h, theta + 2 * h, theta - 2 * h});
+    return (8 * (y[0] - y[1]) - (y[2] - y[3])) / (12 * h);
   }
 
   std::size_t evaluations = 0;
@@ -39,6 +53,7 @@ public:
 private:
   const Material& material_;
   Direction o_, along_;
+  std::size_t channel_;
 };
 
 /// Narrows [low, high] around the largest value by golden section.
@@ -47,7 +62,9 @@ double golden_section(Lobe& lobe, double low, double high) {
   while (high - low > 1e-9) {
     const double p = high - golden * (high - low);
     const double q = low + golden * (high - low);
-    (lobe(p) < lobe(q) ? low : high) = lobe(p) < lobe(q) ? p : q;
+    const std::vector<double> height = lobe({p, q});
+    const bool beyond = height[0] < height[1];
+    (beyond ? low : high) = beyond ? p : q;
   }
   return 0.5 * (low + high);
 }
@@ -65,8 +82,8 @@ double stationary_point(Lobe& lobe, double theta, double h) {
 
 } // namespace
 
-Estimate peak_theta_i(const Material& material, const Direction& o, double width) {
-  Lobe lobe(material, o);
+Estimate peak_theta_i(const Material& material, const Direction& o, double width, int channel) {
+  Lobe lobe(material, o, channel);
   const double mirror = -std::atan2(std::hypot(o.x, o.y), o.z);
   std::vector<double> scan;
   constexpr double quarter = 0.5 * std::numbers::pi;
@@ -76,7 +93,8 @@ Estimate peak_theta_i(const Material& material, const Direction& o, double width
     if (std::fabs(near) < quarter) scan.push_back(near);
   }
   std::ranges::sort(scan);
-  const auto best = std::ranges::max_element(scan, {}, [&](double theta) { return lobe(theta); });
+  const std::vector<double> height = lobe(scan);
+  const auto best = scan.begin() + (std::ranges::max_element(height) - height.begin());
   const double rough =
       golden_section(lobe, best == scan.begin() ? *best : *(best - 1), best + 1 == scan.end() ? *best : *(best + 1));
   const double h = 2e-3 * std::min(1.0, width);

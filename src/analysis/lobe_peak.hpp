@@ -15,7 +15,7 @@ Direction azimuth(const Direction& omega_o);
 /// direction, then golden section. On a smooth top that finds no more than half of the digits, since the values are
 /// flat there, and the zero of the derivative is taken; where that is lower the top is a kink, and golden section was
 /// exact. theta_i in radians, signed: negative on the side of the mirror direction. `width`: the smallest of the
-/// distribution, in slopes; the derivative is taken over a part of it.
-Estimate peak_theta_i(const Material& material, const Direction& omega_o, double width);
+/// distribution, in slopes; the derivative is taken over a part of it. `channel`: of a coloured material.
+Estimate peak_theta_i(const Material& material, const Direction& omega_o, double width, int channel);
 
 } // namespace brdfplot

@@ -14,7 +14,7 @@ namespace {
 
 /// Whether the distribution that `choice` names still needs a roughness, and takes it as `alpha`.
 bool takes_alpha(const ModelChoice& choice) {
-  const auto specs = specs_of<Distribution>();
+  const auto& specs = specs_of<Distribution>();
   const auto spec = std::ranges::find(specs, choice.type, &ModelSpec::type);
   if (spec == specs.end() || spec->find("alpha") == nullptr || choice.values.has("alpha")) return false;
   return std::ranges::none_of(spec->alternatives, [&](const auto& group) {

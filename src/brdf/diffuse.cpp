@@ -81,16 +81,24 @@ Estimate integrate_density(const Material& material, std::span<const Direction> 
 /// for it.
 double light_on_facet(const Direction& m) {
   const Direction along = std::fabs(m.x) < 0.5 ? Direction{1, 0, 0} : Direction{0, 1, 0};
-  const Direction t = normalized(along + -dot(along, m) * m);
+  const Direction across = along + -dot(along, m) * m; // no shorter than 0.8
+  const Direction t = (1 / std::sqrt(dot(across, across))) * across;
   const Direction b{m.y * t.z - m.z * t.y, m.z * t.x - m.x * t.z, m.x * t.y - m.y * t.x};
-  const double gauss = 0.5 / std::sqrt(3.0);
+  static const std::vector<Direction> rule = [] { // about the pole
+    const double gauss = 0.5 / std::sqrt(3.0);
+    std::vector<Direction> nodes;
+    for (const double z : {0.5 - gauss, 0.5 + gauss})
+      for (int k = 0; k < 4; ++k) {
+        const double r = std::sqrt(1 - z * z), psi = 0.5 * std::numbers::pi * k;
+        nodes.push_back({r * std::cos(psi), r * std::sin(psi), z});
+      }
+    return nodes;
+  }();
   double sum = 0;
-  for (const double z : {0.5 - gauss, 0.5 + gauss})
-    for (int k = 0; k < 4; ++k) {
-      const double r = std::sqrt(1 - z * z), psi = 0.5 * std::numbers::pi * k;
-      const Direction i = z * m + (r * std::cos(psi)) * t + (r * std::sin(psi)) * b;
-      sum += std::max(0.0, dot(i, m)) * (0.5 * 0.5 * std::numbers::pi);
-    }
+  for (const Direction& node : rule) {
+    const Direction i = node.z * m + node.x * t + node.y * b;
+    sum += std::max(0.0, dot(i, m)) * (0.5 * 0.5 * std::numbers::pi);
+  }
   return sum * std::numbers::inv_pi;
 }
 
@@ -140,14 +148,17 @@ Estimate diffuse_weak_furnace(const Material& material, const Direction& omega_o
   const double c_o = material.slopes().project(omega_o).c;
   AtNormals at(material);
   std::vector<double> g1;
+  // With a Lambda, G1 is one number for all normals that face the viewer; the mean normal does.
+  const bool constant = material.has_lambda();
+  if (constant) at(Quantity::g1, &omega_o, nullptr, {mean_normal(material.slopes())}, g1);
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
     out.resize(m.size());
-    at(Quantity::g1, &omega_o, nullptr, m, g1);
+    if (!constant) at(Quantity::g1, &omega_o, nullptr, m, g1);
     for (std::size_t k = 0; k < m.size(); ++k)
-      out[k] = g1[k] * std::max(0.0, dot(omega_o, m[k])) / c_o * light_on_facet(m[k]);
+      out[k] = g1[constant ? 0 : k] * std::max(0.0, dot(omega_o, m[k])) / c_o * light_on_facet(m[k]);
   };
   Estimate estimate =
-      integrate_density(material, std::span(&omega_o, 1), !material.has_lambda(), integrand, {.absolute = tolerance});
+      integrate_density(material, std::span(&omega_o, 1), !constant, integrand, {.absolute = tolerance});
   // At grazing o.m is a difference of terms that are rounded.
   estimate.error += 4 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) / c_o;
   return estimate;

@@ -69,6 +69,8 @@ private:
         scope.material = materials_.at(name);
       }
     }
+    if (object.contains("channel"))
+      scope.set({"channel", object["channel"].get<std::string>()}, step(pointer, "channel"));
     if (!object.contains("at")) return;
     for (const auto& [variable, value] : object["at"].items())
       scope.set(to_setting(variable, value), step(pointer + "/at", variable));

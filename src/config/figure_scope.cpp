@@ -97,27 +97,27 @@ void check_term(const JsonFile& file, const plot::Term& term, const std::string&
     from.push_back(sweep.from);
     to.push_back(sweep.to);
   }
-  const auto check_ends = [&](const auto& function) {
+  const auto told = [&](const std::string& place, const auto& attempt) {
     try {
-      function.check(from);
-      function.check(to);
+      attempt();
     } catch (const MaterialError& error) {
-      const auto place = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope, swept);
-      if (place) file.fail(*place, error.reason());
+      const auto set = place_of(error.pointer().substr(error.pointer().rfind('/') + 1), scope, swept);
+      if (set) file.fail(*set, error.reason());
       file.fail(pointer, error.pointer() + ": " + error.reason());
     } catch (const InputError& error) {
-      file.fail(pointer, error.what());
+      file.fail(place, error.what());
     }
   };
-  if (term.simulate) {
-    std::optional<plot::SimulatedTerm> simulated;
-    at_place(file, pointer, [&] { simulated.emplace(term, variables); });
-    check_ends(*simulated);
-    return check_used(file, term, pointer, scope, swept);
-  }
-  std::optional<plot::TermFunction> function;
-  at_place(file, pointer + "/quantity", [&] { function.emplace(term, variables, tolerance); });
-  check_ends(*function);
+  const auto check = [&](auto& function, const std::string& place, const auto&... settings) {
+    told(place, [&] { function.emplace(term, variables, settings...); });
+    for (const auto* end : {&from, &to}) told(pointer, [&] { function->check(*end); });
+  };
+  std::optional<plot::SimulatedTerm> simulated;
+  std::optional<plot::TermFunction> computed;
+  if (term.simulate)
+    check(simulated, pointer);
+  else
+    check(computed, pointer + "/quantity", tolerance);
   check_used(file, term, pointer, scope, swept);
 }
 

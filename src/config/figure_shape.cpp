@@ -1,6 +1,7 @@
 #include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
 #include "config/shapes.hpp"
+#include "plot/channel.hpp"
 #include "plot/simulated.hpp"
 
 namespace brdfplot::config {
@@ -10,10 +11,9 @@ namespace {
 ShapePtr setting() { return either({angle(), text()}); }
 
 ShapePtr settings() {
-  return map(setting(),
-             "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, a, slope, "
-             "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, or the type of "
-             "its distribution, masking, shadowing or fresnel");
+  return map(setting(), "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, a, slope, "
+                        "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, the type of "
+                        "its distribution, masking, shadowing or fresnel, or the channel");
 }
 
 ShapePtr axis() {
@@ -35,6 +35,8 @@ ShapePtr for_each() {
   return either({one, array(one, 1, 8)});
 }
 
+ShapePtr channel() { return choice(plot::channel_names()); }
+
 ShapePtr material_or_name() { return either({material_shape(false), text()}); }
 
 ShapePtr expression();
@@ -43,19 +45,21 @@ ShapePtr simulate() {
   std::vector<std::string> sources;
   for (const auto* source : plot::simulation_sources()) sources.push_back(source->name());
   return named("simulate", [sources] {
-    return object({{"source", choice(sources), true,
-                    "smith_walk: the random walk on Smith's surface; surface: rays on random surfaces"},
-                   {"bounces", choice({"1", "2", "3", "4", "2+", "all"}), false, "of which bounces; default all"},
-                   {"facets", choice({"conductor", "dielectric", "diffuse"}), false,
-                    "smith_walk: what a facet does with light; default conductor"},
-                   {"paths", whole_number(1, 1000000000), false, "how many at each point; default 100000"},
-                   {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"},
-                   {"realisations", whole_number(2, 10000), false,
-                    "surface: independent surfaces that share the paths; default 8"},
-                   {"cells", whole_number(64, 8192), false, "surface: along each side; default 512"},
-                   {"half_width", angle(), false,
-                    "surface, brdf_cos: directions so far from the plane of incidence count as in it; default 5°"},
-                   {"samples", whole_number(2, 10000), false, "points along x; default 61"}});
+    return object(
+        {{"source", choice(sources), true,
+          "smith_walk: the random walk on Smith's surface; surface: rays on random surfaces"},
+         {"bounces", choice({"1", "2", "3", "4", "2+", "all"}), false, "of which bounces; default all"},
+         {"facets", choice({"conductor", "dielectric", "diffuse"}), false,
+          "smith_walk: what a facet does with light; dielectric: what is not reflected is refracted; diffuse, "
+          "the default where the material has such facets; else conductor"},
+         {"paths", whole_number(1, 1000000000), false, "how many at each point; default 100000"},
+         {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"},
+         {"realisations", whole_number(2, 10000), false,
+          "surface: independent surfaces that share the paths; default 8"},
+         {"cells", whole_number(64, 8192), false, "surface: along each side; default 512"},
+         {"half_width", angle(), false,
+          "surface, brdf_cos: directions so far from the plane of incidence count as in it; default 5°"},
+         {"samples", whole_number(2, 10000), false, "points along x; default 61"}});
   });
 }
 
@@ -68,6 +72,8 @@ std::vector<Field> expression_fields() {
           {"difference", array(expression(), 2, 2), false, "first minus second"},
           {"absolute", expression(), false, "absolute value"},
           {"material", material_or_name(), false, "a material, or the name of one in \"materials\""},
+          {"channel", channel(), false,
+           "of what is coloured; luminance: 0.2126 r + 0.7152 g + 0.0722 b (Rec. 709) of linear values"},
           {"at", settings(), false, "what is fixed"}};
 }
 
@@ -92,6 +98,7 @@ ShapePtr panel() {
          {"y", axis(), false, "replaces keys of the figure's y"},
          {"value", axis(), false, "replaces keys of the figure's value"},
          {"material", material_or_name(), false, "of the series that name none"},
+         {"channel", channel(), false, "of the series that name none"},
          {"at", settings(), false, "what is fixed for all series"},
          {"series", array(series(), 1, most_series), false, "what is drawn"},
          {"profile", profile_shape(), false, "profile: what is drawn; replaces keys of the figure's profile"},
@@ -121,6 +128,7 @@ ShapePtr figure_shape() {
        {"cells", whole_number(2, 1024), false, "heat map: cells along each axis; default 96"},
        {"materials", map(material_shape(false), "materials by name"), false, "materials that series name"},
        {"material", material_or_name(), false, "of the series that name none"},
+       {"channel", channel(), false, "of the series that name none"},
        {"at", settings(), false, "what is fixed for all series"},
        {"x", axis(), false, "horizontal axis, or angle"},
        {"y", axis(), false, "vertical axis, or radius; heat map: the second swept variable"},

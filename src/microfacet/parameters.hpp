@@ -77,7 +77,7 @@ struct ParameterSpec {
   std::optional<Value> fallback{}; ///< value when the key is missing; none: required, or one of `alternatives`
   std::string doc;
   std::vector<std::string> choices{};
-  std::vector<ModelSpec> (*models)() = nullptr;
+  const std::vector<ModelSpec>& (*models)() = nullptr;
 };
 
 /// What there is to know of a model before one is made.

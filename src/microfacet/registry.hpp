@@ -11,13 +11,14 @@
 
 namespace brdfplot {
 
-/// The specs of all alternatives of a list, in its order.
+/// The specs of all alternatives of a list, in its order. Made once: they are some hundred strings.
 template <class List>
-std::vector<ModelSpec> specs_of() {
-  return []<std::size_t... I>(std::index_sequence<I...>) {
+const std::vector<ModelSpec>& specs_of() {
+  static const std::vector<ModelSpec> specs = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::vector<ModelSpec>{std::variant_alternative_t<I, List>::spec()...};
   }
   (std::make_index_sequence<std::variant_size_v<List>>{});
+  return specs;
 }
 
 inline std::vector<std::string> names_of(const std::vector<ModelSpec>& specs) {

@@ -18,22 +18,24 @@ using simulation::Measured;
 std::vector<double> binned(const Term& lobe, const SimulatedTerm& simulated, const std::vector<double>& theta_i,
                            double tolerance) {
   constexpr int along = 8, across = 8;
+  constexpr std::size_t all = std::size_t{along} * across;
   const TermFunction function(lobe, {"theta_i", "phi_i"}, tolerance);
   const double phi_o = function.fixed().angle("phi_o").value_or(0);
   const double width = theta_i[1] - theta_i[0];
   const double sin_half_width = std::sin(simulated.simulate().half_width);
-  std::vector<double> out;
-  for (const double theta : theta_i) {
-    double sum = 0;
+  SweptColumns at(2);
+  for (const double theta : theta_i)
     for (int k = 0; k < along; ++k)
       for (int l = 0; l < across; ++l) {
         const double a = theta + width * ((k + 0.5) / along - 0.5);
         const double b = std::asin(sin_half_width * (2 * (l + 0.5) / across - 1));
         const Direction i{std::cos(b) * std::sin(a), std::sin(b), std::cos(b) * std::cos(a)};
-        sum += function({std::atan2(std::hypot(i.x, i.y), i.z), phi_o + std::atan2(i.y, i.x)});
+        at[0].push_back(std::atan2(std::hypot(i.x, i.y), i.z));
+        at[1].push_back(phi_o + std::atan2(i.y, i.x));
       }
-    out.push_back(sum / (along * across));
-  }
+  const std::vector<double> values = function(at);
+  std::vector<double> out(theta_i.size(), 0);
+  for (std::size_t k = 0; k < values.size(); ++k) out[k / all] += values[k] / all;
   return out;
 }
 

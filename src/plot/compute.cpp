@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -88,7 +87,7 @@ struct Extremes {
   }
 };
 
-/// A series as a function that remembers: the first points are asked for twice.
+/// A series that is computed.
 class CurveSource {
 public:
   CurveSource(const FigureDescription& figure, const PanelDescription& panel, Evaluator evaluator)
@@ -108,25 +107,18 @@ public:
 
   /// Widens the extremes to the values at the first points.
   void widen(Extremes& extremes) {
-    for (const double x : first_points(request_)) extremes.widen(request_.y, value(x));
+    for (const double y : evaluator_({first_points(request_)})) extremes.widen(request_.y, y);
   }
 
   Curve draw(const Extremes& extremes) {
     if (std::isnan(request_.y.from) && extremes.low < extremes.high) request_.y.from = extremes.low;
     if (std::isnan(request_.y.to) && extremes.low < extremes.high) request_.y.to = extremes.high;
-    return sample([this](double x) { return value(x); }, request_);
+    return sample([this](const std::vector<double>& x) { return evaluator_({x}); }, request_);
   }
 
 private:
-  double value(double x) {
-    const auto known = values_.find(x);
-    if (known != values_.end()) return known->second;
-    return values_.emplace(x, evaluator_({x})).first->second;
-  }
-
   Evaluator evaluator_;
   CurveRequest request_;
-  std::map<double, double> values_;
 };
 
 /// Where simulations come from.
@@ -153,13 +145,13 @@ Series simulate(const PanelDescription& panel, const Evaluator& evaluator, const
 
 /// The series of a panel, those that are computed each as fine as the range of all of them asks for.
 void fill_curves(const FigureDescription& figure, const PanelDescription& description, const Simulator& simulator,
-                 Styles& styles, Panel& panel) {
+                 FirstValues& first, Styles& styles, Panel& panel) {
   std::vector<std::optional<CurveSource>> sources(description.series.size());
   panel.series.resize(sources.size());
   Extremes extremes;
   for (std::size_t k = 0; k < sources.size(); ++k)
     naming(place(figure, description, k), [&] {
-      Evaluator evaluator(description.series[k].value, {description.x.column}, figure.tolerance);
+      Evaluator evaluator(description.series[k].value, {description.x.column}, figure.tolerance, &first);
       if (evaluator.simulated().empty()) {
         sources[k].emplace(figure, description, std::move(evaluator)).widen(extremes);
         return;
@@ -192,13 +184,20 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
 void fill_heatmap(const FigureDescription& figure, const PanelDescription& description, Panel& panel) {
   const Evaluator evaluator(description.series.at(0).value, {description.x.column, description.y.column},
                             figure.tolerance);
-  const auto value = [&](double x, double y) { return evaluator({x, y}); };
   Grid grid{lattice(description.x, figure.cells, 0.5, figure.cells),
             lattice(description.y, figure.cells, 0.5, figure.cells),
             {}};
+  SweptColumns cells(2);
   for (const double y : grid.y)
-    for (const double x : grid.x) grid.value.push_back(value(x, y));
+    for (const double x : grid.x) {
+      cells[0].push_back(x);
+      cells[1].push_back(y);
+    }
+  grid.value = evaluator(cells);
   panel.grid = std::move(grid);
+  const PlaneFunction value = [&](const std::vector<double>& x, const std::vector<double>& y) {
+    return evaluator({x, y});
+  };
   for (const auto& contour : description.contours)
     panel.contours.push_back(
         {contour.label, level_lines(value, contour.level, lattice(description.x, figure.cells, 0, figure.cells + 1),
@@ -216,6 +215,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 description.share,
                 {}};
   Styles styles;
+  FirstValues first;
   for (const auto& from : description.panels) {
     if (description.kind == Kind::profile) {
       figure.panels.push_back(naming(place(description, from), [&] { return profile_panel(from); }));
@@ -225,7 +225,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
     } else {
-      fill_curves(description, from, {store, threads}, styles, panel);
+      fill_curves(description, from, {store, threads}, first, styles, panel);
     }
     figure.panels.push_back(std::move(panel));
   }

@@ -21,12 +21,15 @@ using Segment = std::array<Edge, 2>;
 
 class Lattice {
 public:
-  Lattice(const std::function<double(double, double)>& value, double level, const std::vector<double>& x,
-          const std::vector<double>& y)
-      : value_(value), level_(level), x_(x), y_(y), above_(x.size() * y.size()) {
-    for (std::size_t row = 0; row < y.size(); ++row)
-      for (std::size_t column = 0; column < x.size(); ++column)
-        above_[row * x.size() + column] = value(x[column], y[row]) >= level;
+  Lattice(const PlaneFunction& value, double level, const std::vector<double>& x, const std::vector<double>& y)
+      : value_(value), level_(level), x_(x), y_(y) {
+    std::vector<double> at_x, at_y;
+    for (const double row : y)
+      for (const double column : x) {
+        at_x.push_back(column);
+        at_y.push_back(row);
+      }
+    above_ = above(at_x, at_y);
   }
 
   std::vector<Segment> segments() const {
@@ -36,18 +39,40 @@ public:
     return out;
   }
 
-  std::array<double, 2> crossing(const Edge& edge) const {
-    std::array<double, 2> p = {x_[edge.column], y_[edge.row]};
-    std::array<double, 2> q = {x_[edge.column + (edge.upwards ? 0 : 1)], y_[edge.row + (edge.upwards ? 1 : 0)]};
-    const bool above = above_[edge.row * x_.size() + edge.column];
-    for (int k = 0; k < 40; ++k) {
-      const std::array<double, 2> middle = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])};
-      ((value_(middle[0], middle[1]) >= level_) == above ? p : q) = middle;
+  /// Where the level is crossed on each of the edges.
+  Contour::Line crossings(const std::vector<Edge>& edges) const {
+    constexpr int halvings = 40;
+    Contour::Line p, q, middle;
+    for (const Edge& edge : edges) {
+      p.x.push_back(x_[edge.column]);
+      p.y.push_back(y_[edge.row]);
+      q.x.push_back(x_[edge.column + (edge.upwards ? 0 : 1)]);
+      q.y.push_back(y_[edge.row + (edge.upwards ? 1 : 0)]);
+    }
+    middle = p;
+    for (int step = 0; step < halvings; ++step) {
+      throw_if_interrupted();
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        middle.x[k] = 0.5 * (p.x[k] + q.x[k]);
+        middle.y[k] = 0.5 * (p.y[k] + q.y[k]);
+      }
+      const std::vector<bool> high = above(middle.x, middle.y);
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        Contour::Line& side = high[k] == above_[edges[k].row * x_.size() + edges[k].column] ? p : q;
+        side.x[k] = middle.x[k];
+        side.y[k] = middle.y[k];
+      }
     }
     return p;
   }
 
 private:
+  std::vector<bool> above(const std::vector<double>& x, const std::vector<double>& y) const {
+    std::vector<bool> out;
+    for (const double value : value_(x, y)) out.push_back(value >= level_);
+    return out;
+  }
+
   void add_cell(std::size_t column, std::size_t row, std::vector<Segment>& out) const {
     const auto at = [&](std::size_t c, std::size_t r) { return above_[(row + r) * x_.size() + column + c]; };
     const Edge bottom{column, row, false}, top{column, row + 1, false}, left{column, row, true},
@@ -61,7 +86,7 @@ private:
     for (std::size_t k = 0; k + 1 < cut.size(); k += 2) out.push_back({cut[k], cut[k + 1]});
   }
 
-  const std::function<double(double, double)>& value_;
+  const PlaneFunction& value_;
   double level_;
   const std::vector<double>&x_, &y_;
   std::vector<bool> above_;
@@ -84,15 +109,16 @@ std::vector<Edge> follow(Edge edge, std::multimap<Edge, std::size_t>& ends, cons
 
 } // namespace
 
-std::vector<Contour::Line> level_lines(const std::function<double(double, double)>& value, double level,
-                                       const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<Contour::Line> level_lines(const PlaneFunction& value, double level, const std::vector<double>& x,
+                                       const std::vector<double>& y) {
   const Lattice lattice(value, level, x, y);
   const std::vector<Segment> segments = lattice.segments();
   std::multimap<Edge, std::size_t> ends;
   for (std::size_t k = 0; k < segments.size(); ++k)
     for (const Edge& edge : segments[k]) ends.emplace(edge, k);
   std::vector<bool> used(segments.size(), false);
-  std::vector<Contour::Line> lines;
+  std::vector<Edge> edges; // of all lines, one after the other
+  std::vector<std::size_t> lengths;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     if (used[k]) continue;
     throw_if_interrupted();
@@ -102,13 +128,17 @@ std::vector<Contour::Line> level_lines(const std::function<double(double, double
     chain.push_back(segments[k][0]);
     chain.push_back(segments[k][1]);
     for (const Edge& edge : follow(segments[k][1], ends, segments, used)) chain.push_back(edge);
-    Contour::Line line;
-    for (const Edge& edge : chain) {
-      const auto p = lattice.crossing(edge);
-      line.x.push_back(p[0]);
-      line.y.push_back(p[1]);
-    }
-    lines.push_back(std::move(line));
+    edges.insert(edges.end(), chain.begin(), chain.end());
+    lengths.push_back(chain.size());
+  }
+  const Contour::Line points = lattice.crossings(edges);
+  std::vector<Contour::Line> lines;
+  std::ptrdiff_t first = 0;
+  for (const std::size_t length : lengths) {
+    const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(length);
+    lines.push_back(
+        {{points.x.begin() + first, points.x.begin() + last}, {points.y.begin() + first, points.y.begin() + last}});
+    first = last;
   }
   return lines;
 }

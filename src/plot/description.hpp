@@ -22,7 +22,9 @@ namespace brdfplot::plot {
 /// - transformations of the whole configuration, directions included: stretch_x, stretch_y (Heitz 2014, section 5.1),
 ///   shear_x, shear_y (section 5.5);
 /// - any number among the material's parameters (alpha, exponent, gamma, f0, ...);
-/// - with text: `distribution`, `masking`, `shadowing`, `fresnel`, the type of the model.
+/// - with text: `distribution`, `masking`, `shadowing`, `fresnel`, the type of the model; `channel`, of what is
+/// coloured
+///   (see channel.hpp).
 struct Setting {
   std::string variable;
   std::variant<double, std::string> value;
@@ -32,7 +34,8 @@ struct Setting {
 struct Simulate {
   std::string source;          ///< one of simulation_sources()
   std::string bounces = "all"; ///< which: "1" ... "4", "2+" or "all"
-  std::string facets = "conductor";
+  std::string facets; ///< conductor, dielectric or diffuse, which the material's facet must be; none: conductor,
+                      ///< or as the material says
   std::size_t paths = 100000;
   std::uint64_t seed = 1;
   int realisations = 8;       ///< surface: independent surfaces, among which the paths are shared

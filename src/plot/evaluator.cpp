@@ -49,38 +49,56 @@ std::vector<double> narrow_places(const std::string& variable, const Configurati
 
 } // namespace
 
-Evaluator::Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance)
-    : operation_(expression.operation), swept_(swept) {
+std::vector<double> FirstValues::of(const std::string& text, const TermFunction& term, const SweptColumns& x) {
+  const auto known = known_.find(text);
+  if (known == known_.end()) return known_.emplace(text, Known{x, term(x)}).first->second.values;
+  return known->second.x == x ? known->second.values : term(x);
+}
+
+Evaluator::Evaluator(const Expression& expression, const std::vector<std::string>& swept, double tolerance,
+                     FirstValues* first)
+    : operation_(expression.operation), swept_(swept), first_(first) {
   if (operation_ == Expression::Operation::term && expression.term.simulate)
     simulated_.emplace(expression.term, swept);
   else if (operation_ == Expression::Operation::term)
     term_.emplace(expression.term, swept, tolerance);
-  for (const auto& operand : expression.operands) operands_.emplace_back(operand, swept, tolerance);
+  if (term_ && first_) text_ = defining_text(expression.term, swept);
+  for (const auto& operand : expression.operands) operands_.emplace_back(operand, swept, tolerance, first);
 }
 
-double Evaluator::operator()(const std::vector<double>& x) const {
-  const double value = combined(x);
-  guard(value, x);
-  return value;
+std::vector<double> Evaluator::operator()(const SweptColumns& x) const {
+  std::vector<double> values = combined(x);
+  guard(values, x);
+  return values;
 }
 
-void Evaluator::guard(double value, const std::vector<double>& x) const {
-  // Lambda is infinite at the horizon, and so is what is made of it; a quotient is by 0.
-  if (std::isfinite(value) || (std::isinf(value) && operation_ != Expression::Operation::ratio)) return;
-  std::string place;
-  for (std::size_t k = 0; k < std::min(x.size(), swept_.size()); ++k)
-    place += (k == 0 ? " at " : ", ") + swept_[k] + " = " + format_number(x[k]);
-  throw AccuracyError("", "found " + format_number(value) + place + "; accepted: a finite number");
-}
-
-double Evaluator::combined(const std::vector<double>& x) const {
-  switch (operation_) {
-  case Expression::Operation::term: return (*term_)(x);
-  case Expression::Operation::difference: return operands_[0](x) - operands_[1](x);
-  case Expression::Operation::ratio: return operands_[0](x) / operands_[1](x);
-  case Expression::Operation::absolute: return std::fabs(operands_[0](x));
+void Evaluator::guard(const std::vector<double>& values, const SweptColumns& x) const {
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const double value = values[row];
+    // Lambda is infinite at the horizon, and so is what is made of it; a quotient is by 0.
+    if (std::isfinite(value) || (std::isinf(value) && operation_ != Expression::Operation::ratio)) continue;
+    std::string place;
+    for (std::size_t k = 0; k < std::min(x.size(), swept_.size()); ++k)
+      place += (k == 0 ? " at " : ", ") + swept_[k] + " = " + format_number(x[k][row]);
+    throw AccuracyError("", "found " + format_number(value) + place + "; accepted: a finite number");
   }
-  return 0;
+}
+
+std::vector<double> Evaluator::combined(const SweptColumns& x) const {
+  if (term_) return first_ ? first_->of(text_, *term_, x) : (*term_)(x);
+  std::vector<double> values = operands_[0](x);
+  if (operation_ == Expression::Operation::absolute) {
+    for (double& value : values) value = std::fabs(value);
+    return values;
+  }
+  const std::vector<double> others = operands_[1](x);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (operation_ == Expression::Operation::difference)
+      values[k] -= others[k];
+    else
+      values[k] /= others[k];
+  }
+  return values;
 }
 
 std::vector<double> Evaluator::seeds(const std::string& variable) const {
@@ -112,19 +130,18 @@ std::vector<Measured> Evaluator::measure(const std::vector<double>& x, simulatio
   std::vector<Measured> out(x.size());
   if (simulated_) {
     out = simulated_->measure(x, store, threads);
-    for (std::size_t k = 0; k < x.size(); ++k) guard(out[k].value, {x[k]});
+  } else if (term_) {
+    const std::vector<double> values = (*term_)({x});
+    for (std::size_t k = 0; k < x.size(); ++k) out[k] = {values[k], 0};
     return out;
+  } else {
+    const auto a = operands_[0].measure(x, store, threads);
+    const auto b = operands_.size() > 1 ? operands_[1].measure(x, store, threads) : a;
+    for (std::size_t k = 0; k < x.size(); ++k) out[k] = combine(a[k], b[k]);
   }
-  if (term_) {
-    for (std::size_t k = 0; k < x.size(); ++k) out[k] = {(*term_)({x[k]}), 0};
-    return out;
-  }
-  const auto a = operands_[0].measure(x, store, threads);
-  const auto b = operands_.size() > 1 ? operands_[1].measure(x, store, threads) : a;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    out[k] = combine(a[k], b[k]);
-    guard(out[k].value, {x[k]});
-  }
+  std::vector<double> values;
+  for (const Measured& measured : out) values.push_back(measured.value);
+  guard(values, {x});
   return out;
 }
 

@@ -1,99 +1,28 @@
 #include "plot/sampling.hpp"
 
+#include "plot/sampling_canvas.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <iterator>
 #include <optional>
-#include <queue>
 
 namespace brdfplot::plot {
 
 namespace {
 
-struct Sample {
-  double t; ///< x on the axis's scale
-  double y;
-  bool is_kink = false;
-};
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Where a sample is drawn, in units of the plot's size.
-class Canvas {
-public:
-  Canvas(const CurveRequest& request, const std::vector<Sample>& samples) : request_(request) {
-    low_ = request.y.from;
-    high_ = request.y.to;
-    double data_low = infinity, data_high = -infinity;
-    for (const Sample& sample : samples) {
-      const double v = scaled(sample.y);
-      if (!std::isfinite(v)) continue;
-      data_low = std::min(data_low, v);
-      data_high = std::max(data_high, v);
-    }
-    low_ = std::isnan(low_) ? data_low : scaled(low_);
-    high_ = std::isnan(high_) ? data_high : scaled(high_);
-    // Below that it is a constant with rounding or an integral's tolerance on it, which nobody wants drawn larger.
-    const double least = 1e-5 * std::max(std::fabs(low_), std::fabs(high_));
-    if (!(high_ - low_ > least)) high_ = low_ + (least > 0 ? least : 1);
-    t_low_ = samples.front().t;
-    t_span_ = samples.back().t - t_low_;
-  }
-
-  std::array<double, 2> at(const Sample& sample) const {
-    if (request_.polar) {
-      const double r = sample.y / high_;
-      return {r * std::sin(sample.t), r * std::cos(sample.t)};
-    }
-    // What is far outside the axis is not seen: it is pulled to its border, so that nobody refines it.
-    const double v = std::clamp((scaled(sample.y) - low_) / (high_ - low_), -0.05, 1.05);
-    return {(sample.t - t_low_) / t_span_, v};
-  }
-
-  /// How far the sample in the middle lies off the chord of the two others, beyond what is noise. Infinity where one
-  /// of them cannot be drawn.
-  double error(const Sample& a, const Sample& middle, const Sample& b) const {
-    const auto p = at(a), q = at(b), m = at(middle);
-    const double off =
-        request_.polar ? distance(m, p, q) : std::fabs(m[1] - p[1] - (q[1] - p[1]) * (m[0] - p[0]) / (q[0] - p[0]));
-    if (std::isnan(off)) return infinity;
-    return std::max(0.0, off - 2 * noise(middle));
-  }
-
-  double noise(const Sample& sample) const {
-    if (request_.noise == 0) return 0;
-    if (request_.polar) return request_.noise / high_;
-    return request_.noise / (high_ - low_) / (request_.y.scale == Scale::logarithmic ? std::fabs(sample.y) : 1);
-  }
-
-private:
-  /// Distance of p from the segment ab.
-  static double distance(const std::array<double, 2>& p, const std::array<double, 2>& a,
-                         const std::array<double, 2>& b) {
-    const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double length2 = dx * dx + dy * dy;
-    const double along = length2 > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2, 0.0, 1.0) : 0;
-    return std::hypot(p[0] - a[0] - along * dx, p[1] - a[1] - along * dy);
-  }
-  double scaled(double y) const {
-    return request_.y.scale == Scale::logarithmic ? (y > 0 ? std::log(y) : -infinity) : y;
-  }
-  const CurveRequest& request_;
-  double low_, high_, t_low_, t_span_;
-};
-
 class Sampler {
 public:
-  Sampler(const std::function<double(double)>& y, const CurveRequest& request) : y_(y), request_(request) {
+  Sampler(const CurveFunction& y, const CurveRequest& request) : y_(y), request_(request) {
     logarithmic_ = request.x.scale == Scale::logarithmic;
     low_ = to_axis(request.x.from);
     high_ = to_axis(request.x.to);
   }
 
   std::vector<Sample> run() {
-    std::vector<Sample> samples;
-    for (const double t : first()) samples.push_back(evaluate(t));
+    std::vector<Sample> samples = evaluate(first());
     if (!request_.adaptive) return samples;
     left_ = most_evaluations;
     refine(Canvas(request_, samples), samples);
@@ -130,40 +59,64 @@ public:
 
 private:
   struct Interval {
-    double error;
-    Sample a, middle, b;
-    /// The last one is halved first.
-    bool operator<(const Interval& other) const { return error != other.error ? error < other.error : a.t > other.a.t; }
+    Sample a, b;
+    /// The error of the interval of which this is a half. Halving divides the error of a smooth curve by 4; where it
+    /// suddenly vanishes, the curve may cross its chord at the midpoint, and another halving tells.
+    double before;
   };
 
   double to_axis(double x) const { return logarithmic_ ? std::log(x) : x; }
-  Sample evaluate(double t) const { return {t, y_(from_axis(t))}; }
+
+  std::vector<Sample> evaluate(const std::vector<double>& t) const {
+    if (t.empty()) return {};
+    std::vector<double> x;
+    std::ranges::transform(t, std::back_inserter(x), [&](double place) { return from_axis(place); });
+    const std::vector<double> y = y_(x);
+    std::vector<Sample> samples;
+    for (std::size_t k = 0; k < t.size(); ++k) samples.push_back({t[k], y[k]});
+    return samples;
+  }
+
   static void sort(std::vector<Sample>& samples) { std::ranges::sort(samples, {}, &Sample::t); }
 
   void refine(const Canvas& canvas, std::vector<Sample>& samples) {
-    std::priority_queue<Interval> queue;
-    // `before`: the error of the interval of which this is a half. Halving divides the error of a smooth curve by 4;
-    // where it suddenly vanishes, the curve may cross its chord at the midpoint, and another halving tells.
-    const auto consider = [&](const Sample& a, const Sample& b, double before) {
-      if (left_ == 0 || b.t - a.t <= 1e-7 * (high_ - low_) || (!std::isfinite(a.y) && !std::isfinite(b.y))) return;
-      --left_;
-      const Sample middle = evaluate(0.5 * (a.t + b.t));
-      samples.push_back(middle);
-      const double error = canvas.error(a, middle, b);
-      if (error > tolerance_ || before > 16 * tolerance_) queue.push({error, a, middle, b});
-    };
-    const std::vector<Sample> first = samples;
+    std::vector<Interval> round;
     const auto bend = [&](std::size_t k) {
-      return k > 0 && k + 1 < first.size() ? canvas.error(first[k - 1], first[k], first[k + 1]) : 0;
+      return k > 0 && k + 1 < samples.size() ? canvas.error(samples[k - 1], samples[k], samples[k + 1]) : 0;
     };
-    for (std::size_t k = 0; k + 1 < first.size(); ++k) consider(first[k], first[k + 1], std::max(bend(k), bend(k + 1)));
-    while (!queue.empty()) {
-      const Interval worst = queue.top();
-      queue.pop();
-      consider(worst.a, worst.middle, worst.error);
-      consider(worst.middle, worst.b, worst.error);
+    for (std::size_t k = 0; k + 1 < samples.size(); ++k)
+      round.push_back({samples[k], samples[k + 1], std::max(bend(k), bend(k + 1))});
+    while (!round.empty()) {
+      thin(round);
+      std::vector<double> t;
+      for (const Interval& interval : round) t.push_back(0.5 * (interval.a.t + interval.b.t));
+      const std::vector<Sample> middles = evaluate(t);
+      std::vector<Interval> next;
+      for (std::size_t k = 0; k < round.size(); ++k) {
+        const auto& [a, b, before] = round[k];
+        const double error = canvas.error(a, middles[k], b);
+        samples.push_back(middles[k]);
+        if (!(error > tolerance_ || before > 16 * tolerance_)) continue;
+        next.push_back({a, middles[k], error});
+        next.push_back({middles[k], b, error});
+      }
+      round = std::move(next);
     }
     sort(samples);
+  }
+
+  /// Leaves of a round what can be halved with the evaluations that are left, and takes them.
+  void thin(std::vector<Interval>& round) {
+    std::erase_if(round, [&](const Interval& interval) {
+      return interval.b.t - interval.a.t <= 1e-7 * (high_ - low_) ||
+             (!std::isfinite(interval.a.y) && !std::isfinite(interval.b.y));
+    });
+    const auto affordable = static_cast<std::size_t>(left_);
+    if (round.size() > affordable) {
+      std::ranges::stable_sort(round, std::greater(), &Interval::before);
+      round.resize(affordable);
+    }
+    left_ -= static_cast<int>(round.size());
   }
 
   /// Looks for a kink between each two samples: there the curve bends, and on either side it hardly does.
@@ -173,40 +126,76 @@ private:
     const auto slope = [&](std::size_t k) { return (p[k + 1][1] - p[k][1]) / (p[k + 1][0] - p[k][0]); };
     const auto bend = [&](std::size_t k) { return std::fabs((slope(k) - slope(k - 1)) / (p[k + 1][0] - p[k - 1][0])); };
     const std::size_t count = samples.size();
+    std::vector<Kink> kinks;
     for (std::size_t k = 2; k + 3 < count; ++k) {
       if (p[k + 1][0] - p[k][0] < 1e-6 || !(std::fabs(slope(k + 1) - slope(k - 1)) > 0.02)) continue;
       if (!(bend(k) + bend(k + 1) > 8 * (bend(k - 1) + bend(k + 2)))) continue;
-      if (const auto kink = kink_between(canvas, {samples[k - 1], samples[k], samples[k + 1], samples[k + 2]}))
-        samples.push_back(*kink);
+      kinks.push_back({{samples[k - 1], samples[k], samples[k + 1], samples[k + 2]}});
     }
+    for (int step = 0; step < kink_steps; ++step) narrow(canvas, kinks);
+    for (const Sample& kink : met(canvas, kinks)) samples.push_back(kink);
     sort(samples);
   }
 
-  /// Where the line through the two samples on the left meets the line through the two on the right, drawn again
-  /// through ever nearer samples. Nothing where the lines lose their angle, as those of a smooth curve do.
-  std::optional<Sample> kink_between(const Canvas& canvas, std::array<Sample, 4> s) {
-    constexpr int steps = 7;
-    double first_turn = 0;
-    for (int step = 0; left_ >= 4; ++step) {
+  /// Between the two samples in the middle there may be a kink: where the line through the two on the left meets the
+  /// line through the two on the right.
+  struct Kink {
+    std::array<Sample, 4> s;
+    double first_turn = 0; ///< the angle of the lines at first
+
+    struct Meeting {
+      double t, value;
+    };
+    /// Nothing where the lines lose their angle, as those of a smooth curve do, or meet elsewhere.
+    std::optional<Meeting> meeting(const Canvas& canvas) {
       std::array<double, 4> v{};
       std::ranges::transform(s, v.begin(), [&](const Sample& sample) { return canvas.at(sample)[1]; });
       const double rise = (v[1] - v[0]) / (s[1].t - s[0].t), fall = (v[3] - v[2]) / (s[3].t - s[2].t);
-      if (step == 0) first_turn = rise - fall;
+      if (first_turn == 0) first_turn = rise - fall;
       if (!(std::fabs(rise - fall) > 0.5 * std::fabs(first_turn))) return std::nullopt;
       const double gap = s[2].t - s[1].t;
       const double t = s[1].t + (v[2] - v[1] - fall * gap) / (rise - fall);
       if (!(t > s[1].t && t < s[2].t)) return std::nullopt;
-      if (step == steps) {
-        --left_;
-        Sample kink = evaluate(t);
-        kink.is_kink = true;
-        const bool agrees = std::fabs(canvas.at(kink)[1] - v[1] - rise * (t - s[1].t)) < 1e-8;
-        return agrees ? std::optional(kink) : std::nullopt;
-      }
-      left_ -= 4;
-      s = {evaluate(t - 0.25 * gap), evaluate(t - 0.125 * gap), evaluate(t + 0.125 * gap), evaluate(t + 0.25 * gap)};
+      return Meeting{t, v[1] + rise * (t - s[1].t)};
     }
-    return std::nullopt;
+  };
+
+  /// Draws the lines of all kinks again through nearer samples, and drops what is none.
+  void narrow(const Canvas& canvas, std::vector<Kink>& kinks) {
+    std::vector<Kink> kept;
+    std::vector<double> t;
+    for (Kink& kink : kinks) {
+      const auto meeting = kink.meeting(canvas);
+      if (!meeting || left_ < 4) continue;
+      left_ -= 4;
+      const double gap = kink.s[2].t - kink.s[1].t;
+      for (const double away : {-0.25, -0.125, 0.125, 0.25}) t.push_back(meeting->t + away * gap);
+      kept.push_back(kink);
+    }
+    const std::vector<Sample> samples = evaluate(t);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      std::copy_n(samples.begin() + static_cast<std::ptrdiff_t>(4 * k), 4, kept[k].s.begin());
+    kinks = std::move(kept);
+  }
+
+  /// The curve where the lines of each kink meet, if it is there.
+  std::vector<Sample> met(const Canvas& canvas, std::vector<Kink>& kinks) {
+    std::vector<double> t, value;
+    for (Kink& kink : kinks) {
+      const auto meeting = kink.meeting(canvas);
+      if (!meeting || left_ < 1) continue;
+      --left_;
+      t.push_back(meeting->t);
+      value.push_back(meeting->value);
+    }
+    std::vector<Sample> out;
+    const std::vector<Sample> samples = evaluate(t);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (!(std::fabs(canvas.at(samples[k])[1] - value[k]) < 1e-8)) continue;
+      out.push_back(samples[k]);
+      out.back().is_kink = true;
+    }
+    return out;
   }
 
   /// Douglas and Peucker 1973, with an explicit stack.
@@ -248,7 +237,8 @@ private:
   bool is_gap(const Sample& sample) const { return request_.polar ? !std::isfinite(sample.y) : std::isnan(sample.y); }
 
   static constexpr double tolerance_ = 5e-4;
-  const std::function<double(double)>& y_;
+  static constexpr int kink_steps = 7;
+  const CurveFunction& y_;
   const CurveRequest& request_;
   bool logarithmic_;
   double low_, high_;
@@ -258,14 +248,14 @@ private:
 } // namespace
 
 std::vector<double> first_points(const CurveRequest& request) {
-  const std::function<double(double)> none;
+  const CurveFunction none;
   const Sampler sampler(none, request);
   std::vector<double> points = sampler.first();
   for (double& point : points) point = sampler.from_axis(point);
   return points;
 }
 
-Curve sample(const std::function<double(double)>& y, const CurveRequest& request) {
+Curve sample(const CurveFunction& y, const CurveRequest& request) {
   Sampler sampler(y, request);
   Curve curve;
   for (const Sample& point : sampler.run()) {

@@ -31,11 +31,15 @@ std::vector<double> first_points(const CurveRequest& request);
 /// Beyond the first points, a curve is evaluated at most so often.
 inline constexpr int most_evaluations = 20000;
 
+/// y at some values of x, all of which are wanted at once.
+using CurveFunction = std::function<std::vector<double>(const std::vector<double>& x)>;
+
 /// Points of y(x) so close that the polyline through them is within 5e-4 of the plot's height above or below the curve
-/// (polar: of its radius, in any direction), as far as halving intervals shows: the interval whose midpoint lies
-/// farthest off the chord is halved first, down to 1e-7 of the range, so that a jump is drawn as a vertical line. A
-/// kink is located where the curve extended from its left meets the curve extended from its right. At the end points
-/// that the polyline does not need are dropped. Deterministic.
-Curve sample(const std::function<double(double)>& y, const CurveRequest& request);
+/// (polar: of its radius, in any direction), as far as halving intervals shows: those whose midpoint lies off the chord
+/// are halved, down to 1e-7 of the range, so that a jump is drawn as a vertical line. This goes in rounds, and y is
+/// called once in each; a round that has more midpoints than evaluations are left takes those farthest off. A kink is
+/// located where the curve extended from its left meets the curve extended from its right. At the end points that the
+/// polyline does not need are dropped. Deterministic.
+Curve sample(const CurveFunction& y, const CurveRequest& request);
 
 } // namespace brdfplot::plot

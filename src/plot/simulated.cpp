@@ -1,6 +1,5 @@
 #include "plot/simulated.hpp"
 
-#include "math/number.hpp"
 #include "microfacet/registry.hpp"
 
 #include <algorithm>
@@ -8,32 +7,6 @@
 namespace brdfplot::plot {
 
 namespace {
-
-std::string text_of(const ModelChoice& choice);
-
-std::string text_of(const Value& value) {
-  struct Visitor {
-    std::string operator()(double x) const { return format_number(x); }
-    std::string operator()(const std::string& text) const { return text; }
-    std::string operator()(const Vec2& v) const { return format_number(v[0]) + ";" + format_number(v[1]); }
-    std::string operator()(const Rgb& v) const {
-      return format_number(v[0]) + ";" + format_number(v[1]) + ";" + format_number(v[2]);
-    }
-    std::string operator()(const WeightedChoices& components) const {
-      std::string out;
-      for (const auto& component : components)
-        out += format_number(component.weight) + "*" + text_of(component.model) + ";";
-      return out;
-    }
-  };
-  return std::visit(Visitor{}, value);
-}
-
-std::string text_of(const ModelChoice& choice) {
-  std::string out = choice.type + "{";
-  for (const auto& [key, value] : choice.values.map()) out += key + "=" + text_of(value) + ",";
-  return out + "}";
-}
 
 const SimulationSource& source_named(const std::string& name) {
   std::vector<std::string> names;
@@ -49,14 +22,6 @@ const SimulationSource& source_named(const std::string& name) {
 const std::vector<const SimulationSource*>& simulation_sources() {
   static const std::vector<const SimulationSource*> all = {&smith_walk_source(), &surface_source()};
   return all;
-}
-
-std::string defining_text(const MaterialDescription& material) {
-  return text_of(material.distribution) + " " + text_of(material.fresnel);
-}
-
-std::string defining_text(const Direction& direction) {
-  return format_number(direction.x) + " " + format_number(direction.y) + " " + format_number(direction.z);
 }
 
 SimulatedTerm::SimulatedTerm(const Term& term, std::vector<std::string> swept)

@@ -2,6 +2,7 @@
 /// Terms of a figure that are simulated. Each source of simulations is a file and a line in simulation_sources().
 #pragma once
 
+#include "plot/defining_text.hpp"
 #include "plot/term.hpp"
 #include "simulation/store.hpp"
 
@@ -35,10 +36,6 @@ public:
 };
 
 const std::vector<const SimulationSource*>& simulation_sources();
-
-/// A text that defines what is simulated on: distribution and Fresnel term with all their numbers.
-std::string defining_text(const MaterialDescription& material);
-std::string defining_text(const Direction& direction);
 
 /// A simulated term over the values of a swept variable.
 class SimulatedTerm {

@@ -96,6 +96,9 @@ public:
       throw InputError("", "surfaces are simulated for the distributions beckmann and ggx");
     if (!std::holds_alternative<NoFresnel>(at.material.fresnel))
       throw InputError("", "surfaces are simulated without a Fresnel term");
+    if (at.material.facet != Facet::specular)
+      throw InputError("", "surfaces are simulated with facets that are mirrors; found \"facet\": \"" +
+                               at.description.facet + "\", accepted: specular");
     simulation::check(scene(term, {at}, 0));
   }
 

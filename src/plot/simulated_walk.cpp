@@ -20,9 +20,19 @@ struct Bounces {
 constexpr std::array<Bounces, 6> bounces = {
     {{"1", 1, 1}, {"2", 2, 2}, {"3", 3, 3}, {"4", 4, 4}, {"2+", 2, bounce_classes}, {"all", 1, bounce_classes}}};
 
-Facets facets_of(const Term& term) {
-  const std::string& name = term.simulate->facets;
-  return name == "dielectric" ? Facets::dielectric : name == "diffuse" ? Facets::diffuse : Facets::conductor;
+/// What facets do with light, by name: the material says whether they are diffuse, and `facets` may say it again.
+std::string facets_of(const Term& term, const Configuration::Ready& at) {
+  const std::string& named = term.simulate->facets;
+  const bool diffuse = at.material.facet == Facet::diffuse;
+  if (named.empty()) return diffuse ? "diffuse" : "conductor";
+  if ((named == "diffuse") != diffuse)
+    throw InputError("", "found \"facets\": \"" + named + "\" with a material that has \"facet\": \"" +
+                             at.description.facet + "\"; accepted: " + (diffuse ? "diffuse" : "conductor, dielectric"));
+  return named;
+}
+
+Facets beyond_mirrors(const Term& term, const Configuration::Ready& at) {
+  return facets_of(term, at) == "dielectric" ? Facets::dielectric : Facets::conductor;
 }
 
 class SmithWalkSource final : public SimulationSource {
@@ -38,7 +48,9 @@ public:
   void check(const Term& term, const Configuration::Ready& at) const override {
     if (!at.o) throw InputError("", "this simulation needs theta_o");
     if (is_lobe(term) && !at.i) throw InputError("", "this simulation needs theta_i");
-    simulation::check_walk(at.material, facets_of(term), *at.o);
+    require_channel(at.description, at.material, at.channel, term.quantity);
+    if (at.material.channels() > 1) single_channel(at.channel, term.quantity);
+    simulation::check_walk(at.material, beyond_mirrors(term, at), *at.o);
   }
 
   std::string group(const Term&, const Configuration::Ready& at) const override {
@@ -46,8 +58,9 @@ public:
   }
 
   std::string key(const Term& term, const Points& points) const override {
-    std::string text = "smith_walk " + group(term, points.front()) + " " + term.simulate->facets + " " +
+    std::string text = "smith_walk " + group(term, points.front()) + " " + facets_of(term, points.front()) + " " +
                        std::to_string(term.simulate->paths) + " " + std::to_string(term.simulate->seed);
+    if (points.front().material.channels() > 1) text += " channel " + std::to_string(channel_of(term, points));
     if (!is_lobe(term)) return text;
     text += " towards";
     for (const auto& point : points) text += " " + defining_text(*point.i);
@@ -60,9 +73,10 @@ public:
     request.paths = term.simulate->paths;
     request.seed = term.simulate->seed;
     request.threads = threads;
+    request.channel = channel_of(term, points);
     if (is_lobe(term))
       for (const auto& point : points) request.omega_i.push_back(*point.i);
-    const WalkResult walked = simulation::walk(points.front().material, facets_of(term), request);
+    const WalkResult walked = simulation::walk(points.front().material, beyond_mirrors(term, points.front()), request);
     simulation::Result out;
     for (const auto& [name, first, last] : bounces) {
       out[std::string("albedo/") + name] = WalkResult::energy(walked.reflected, first, last);
@@ -78,6 +92,10 @@ public:
   bool is_binned(const Term&) const override { return false; }
 
 private:
+  static std::size_t channel_of(const Term& term, const Points& points) {
+    if (points.front().material.channels() == 1) return 0;
+    return static_cast<std::size_t>(single_channel(points.front().channel, term.quantity));
+  }
   static bool is_lobe(const Term& term) { return term.quantity == "brdf_cos"; }
 };
 

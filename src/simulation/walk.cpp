@@ -50,8 +50,9 @@ template <class Shape>
 class Walker {
 public:
   Walker(const Material& material, Facets facets, const WalkRequest& request)
-      : profile_{material.slopes()}, facets_(facets), material_(material), request_(request) {
-    if (facets == Facets::dielectric) eta_ = std::get<DielectricFresnel>(material.fresnel).eta[0];
+      : profile_{material.slopes()}, diffuse_(material.facet == Facet::diffuse), facets_(facets), material_(material),
+        request_(request) {
+    if (facets == Facets::dielectric) eta_ = std::get<DielectricFresnel>(material.fresnel).eta[request.channel];
     for (const Direction& omega : request.omega_i) {
       const bool outside = material.slopes().project(omega).c > 0;
       const Direction up = outside ? omega : negated(omega);
@@ -107,7 +108,7 @@ private:
     const double f = reflectance(facing, ray.outside);
     result.fresnel[bounce][chunk] += f;
     result.hits[bounce][chunk] += 1;
-    if (facets_ == Facets::diffuse) {
+    if (diffuse_) {
       ray.omega = sample_lambert(m, random);
     } else if (facets_ == Facets::conductor) {
       ray.omega = reflected(v, m);
@@ -126,9 +127,9 @@ private:
     const bool crosses = target.outside != ray.outside;
     if (crosses && facets_ != Facets::dielectric) return 0;
     const double level = crosses ? 1 - ray.level : ray.level;
-    const double phase = facets_ == Facets::diffuse ? std::fmax(dot(target.omega, m), 0.0) * std::numbers::inv_pi
-                         : crosses                  ? transmitting(v, negated(target.omega), ray.outside)
-                                                    : reflecting(v, target.omega, ray.outside);
+    const double phase = diffuse_  ? std::fmax(dot(target.omega, m), 0.0) * std::numbers::inv_pi
+                         : crosses ? transmitting(v, negated(target.omega), ray.outside)
+                                   : reflecting(v, target.omega, ray.outside);
     return phase > 0 ? phase * std::pow(level, target.Lambda) : 0;
   }
 
@@ -155,16 +156,15 @@ private:
   double relative_index(bool outside) const { return outside ? eta_ : 1 / eta_; }
 
   double reflectance(double facing, bool outside) const {
-    switch (facets_) {
-    case Facets::diffuse: return 1;
-    case Facets::dielectric: return dielectric_reflectance(std::min(facing, 1.0), relative_index(outside));
-    case Facets::conductor: break;
-    }
-    return std::visit([&](const auto& fresnel) { return fresnel.reflectance(std::min(facing, 1.0))[0]; },
+    if (diffuse_) return 1;
+    const double cosine = std::min(facing, 1.0);
+    if (facets_ == Facets::dielectric) return dielectric_reflectance(cosine, relative_index(outside));
+    return std::visit([&](const auto& fresnel) { return fresnel.reflectance(cosine)[request_.channel]; },
                       material_.fresnel);
   }
 
   SmithProfile<Shape> profile_;
+  bool diffuse_;
   Facets facets_;
   const Material& material_;
   const WalkRequest& request_;
@@ -219,6 +219,12 @@ void check_walk(const Material& material, Facets facets, const Direction& omega_
     throw InputError(material.name, "omega_o is below the horizon of the mesosurface");
   if (!std::holds_alternative<Beckmann>(material.distribution) && !std::holds_alternative<Ggx>(material.distribution))
     throw InputError(material.name, "the walk on Smith's surface knows the distributions beckmann and ggx");
+  if (material.facet != Facet::specular && material.facet != Facet::diffuse)
+    throw InputError(material.name, "the walk on Smith's surface knows the facets specular and diffuse, found \"" +
+                                        facet_names()[static_cast<std::size_t>(material.facet)] + "\"");
+  if (facets == Facets::dielectric && material.facet == Facet::diffuse)
+    throw InputError(material.name,
+                     "diffuse facets refract nothing; accepted with \"dielectric\": \"facet\": \"specular\"");
   if (facets == Facets::dielectric && !std::holds_alternative<DielectricFresnel>(material.fresnel))
     throw InputError(material.name, "dielectric facets need the Fresnel term \"dielectric\"");
 }

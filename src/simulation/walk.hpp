@@ -21,11 +21,11 @@
 
 namespace brdfplot::simulation {
 
-/// What a facet does with light.
+/// What a mirror does with light that it does not reflect. Diffuse facets are the material's (`Facet`): they scatter
+/// all light by Lambert's law.
 enum class Facets {
-  conductor,  ///< reflects, weighted by the material's Fresnel term (first channel)
-  dielectric, ///< reflects or refracts; the Fresnel term must be `dielectric`
-  diffuse,    ///< scatters by Lambert's law with albedo 1
+  conductor,  ///< absorbs it; reflection is weighted by the material's Fresnel term
+  dielectric, ///< refracts it; the Fresnel term must be `dielectric`
 };
 
 /// Bounces are counted one by one up to here, the rest together.
@@ -37,6 +37,7 @@ struct WalkRequest {
   std::size_t paths = 65536;      ///< rounded up to a multiple of the number of chunks
   std::uint64_t seed = 1;
   int threads = 1;
+  std::size_t channel = 0; ///< of the Fresnel term
 };
 
 /// Paths go in so many chunks, one after the other within each: fixed, so that results do not depend on threads.
@@ -69,8 +70,8 @@ void check_walk(const Material& material, Facets facets, const Direction& omega_
 
 /// Walks. The lobe is estimated at every vertex (phase function times G1), so that it is smooth: its values in
 /// different directions come from the same walks. Domain: distributions `beckmann` and `ggx`, with any roughness,
-/// correlation and mean slope; omega_o above the horizon of the mesosurface. \throws InputError for others, and where
-/// `facets` do not go with the Fresnel term; Interrupted.
+/// correlation and mean slope; omega_o above the horizon of the mesosurface; mirrors, and diffuse facets. \throws
+/// InputError for others, and where `facets` do not go with the material's; Interrupted.
 WalkResult walk(const Material& material, Facets facets, const WalkRequest& request);
 
 } // namespace brdfplot::simulation

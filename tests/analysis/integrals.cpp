@@ -207,6 +207,22 @@ TEST_CASE("an albedo with a Fresnel term is coloured, and between the extremes o
   CHECK(blue < compute(Integral::albedo, m, o, 1e-9, 1).value);
 }
 
+TEST_CASE("the mean and the peak of reflected light are those of the channel") {
+  auto description = describe("ggx", 0.6);
+  description.fresnel.type = "schlick";
+  description.fresnel.values.set("f0", Rgb{1, 0.5, 0});
+  const Material coloured = build(description);
+  const Direction o = from_angles(1.1, 0.3);
+  int channel = 0;
+  for (const double f0 : {1.0, 0.5, 0.0}) {
+    description.fresnel.values.set("f0", f0);
+    for (const Integral integral : {Integral::mean_theta_i, Integral::peak_theta_i})
+      CHECK(compute(integral, coloured, o, 1e-6, channel).value ==
+            compute(integral, build(description), o, 1e-6).value);
+    ++channel;
+  }
+}
+
 TEST_CASE("the mean and the peak of a smooth surface are the mirror direction") {
   for (const auto* masking : {"smith", "v_cavity"}) {
     const Material m = material("beckmann", 0.01, masking);

@@ -186,3 +186,13 @@ TEST_CASE("an accuracy out of reach names the row and the estimate reached") {
   CHECK(outcome.err.starts_with("brdfplot: error: in.csv:2: albedo: reached an error estimate of "));
   CHECK(folder.list() == std::vector<std::string>{"in.csv"});
 }
+
+TEST_CASE("the mean and the peak of coloured light have a column for each channel") {
+  const Folder folder;
+  folder.write("m.json", R"({"distribution": {"type": "ggx", "alpha": 0.6},
+                            "fresnel": {"type": "schlick", "f0": [1, 0.5, 0]}})");
+  folder.write("in.csv", "theta_o\n1.1\n");
+  const std::string out =
+      check_output(folder, "brdfplot eval m.json -q mean_theta_i,peak_theta_i -i in.csv --tolerance 1e-6");
+  CHECK(out.starts_with("theta_o,mean_theta_i_r,mean_theta_i_g,mean_theta_i_b,peak_theta_i_r,"));
+}

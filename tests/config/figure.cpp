@@ -60,6 +60,32 @@ TEST_CASE("figures: keys and their defaults") {
   CHECK(panel.series[0].value.term.material.name == "f");
 }
 
+TEST_CASE("figures: a channel comes from figure, panel, series and operand, or of for_each") {
+  const auto channel = [](const Expression& one) {
+    std::string name;
+    for (const auto& set : one.term.at)
+      if (set.variable == "channel") name = std::get<std::string>(set.value);
+    return name;
+  };
+  const auto figure = load(figure_text(
+      R"("channel": "g", "series": [
+          {"quantity": "fresnel"},
+          {"quantity": "fresnel", "channel": "b"},
+          {"difference": [{"quantity": "fresnel", "channel": "luminance"}, {"quantity": "fresnel"}]},
+          {"quantity": "fresnel", "label": "in {channel}", "for_each": {"variable": "channel", "values": ["r", "b"]}},
+          {"quantity": "d"}])",
+      R"("channel": "r", "at": {"theta_o": 0}, )"));
+  const auto& series = figure.panels.at(0).series;
+  REQUIRE(series.size() == 6);
+  CHECK(channel(series[0].value) == "g");
+  CHECK(channel(series[1].value) == "b");
+  CHECK(channel(series[2].value.operands.at(0)) == "luminance");
+  CHECK(channel(series[2].value.operands.at(1)) == "g");
+  CHECK(channel(series[3].value) == "r");
+  CHECK(channel(series[4].value) == "b");
+  CHECK(series[4].label == "in b");
+}
+
 TEST_CASE("figures: what is fixed comes from figure, panel, series and operand, the inner one last") {
   const auto figure = load(figure_text(
       R"("at": {"theta_o": 2, "phi_o": 0.2}, "series": [

@@ -61,6 +61,10 @@ TEST_CASE("figures: simulated terms") {
        "accepted: 1, 2, 3, 4, 2+, all"},
       {walked(walk + R"(, "samples": 1)"), "", "/panels/0/series/0/simulate/samples", "found 1"},
       {walked(walk + R"(, "facets": "dielectric")"), "", "/panels/0/series/0", "need the Fresnel term \"dielectric\""},
+      {walked(walk + R"(, "facets": "diffuse")"), "", "/panels/0/series/0", "accepted: conductor, dielectric"},
+      {walked(R"("source": "surface")"),
+       R"("material": {"distribution": {"type": "ggx", "alpha": 0.5}, "facet": "diffuse"})", "/panels/0/series/0",
+       "found \"facet\": \"diffuse\", accepted: specular"},
       {walked(walk, R"("phi_o": 1)"), "", "/panels/0/series/0", "needs theta_o"},
       {walked(walk, R"("theta_o": 2)"), "", "/panels/0/series/0", "below the horizon"},
       {walked(walk, R"("theta_o": 1, "distribution": "phong")"), "", "/panels/0/series/0", "beckmann and ggx"},
@@ -68,6 +72,28 @@ TEST_CASE("figures: simulated terms") {
        "/panels/0/series/0", "unknown quantity of smith_walk \"g1\""},
       {walked(walk), R"("kind": "heatmap", "y": {"variable": "alpha", "from": 0.1, "to": 1})",
        "/panels/0/series/0/simulate", "a heat map is not simulated"},
+  });
+}
+
+TEST_CASE("figures: channels") {
+  const std::string gold =
+      R"("x": {"variable": "theta_i", "from": -1, "to": 1}, "at": {"theta_o": 0.5},
+         "material": {"distribution": {"type": "ggx", "alpha": 0.5}, "fresnel": {"type": "schlick", "f0": [1, 0.7, 0.3]}})";
+  const auto one = [](const std::string& keys) { return R"("series": [{)" + keys + "}]"; };
+  check_all({
+      {one(R"("quantity": "brdf")"), gold, "/panels/0/series/0",
+       R"(write which is meant: "channel": "r", "g", "b" or "luminance")"},
+      {one(R"("ratio": [{"quantity": "brdf", "channel": "r"}, {"quantity": "brdf"}])"), gold,
+       "/panels/0/series/0/ratio/1", "three channels"},
+      {one(R"("quantity": "albedo", "simulate": {"source": "smith_walk"})"), gold, "/panels/0/series/0",
+       "three channels"},
+      {one(R"("quantity": "mean_theta_i", "channel": "luminance")"), gold, "/panels/0/series/0", "no luminance"},
+      {one(R"("quantity": "brdf", "channel": "red")"), gold, "/panels/0/series/0/channel",
+       "accepted: r, g, b, luminance"},
+      {one(R"("quantity": "g2", "channel": "r")"), gold, "/panels/0/series/0/channel",
+       "\"g2\" does not depend on \"channel\""},
+      {one(R"("quantity": "brdf", "for_each": {"variable": "channel", "values": ["r", "x"]})"), gold,
+       "/panels/0/series/0/for_each/values/1", "unknown channel \"x\""},
   });
 }
 

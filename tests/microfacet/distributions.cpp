@@ -225,6 +225,7 @@ TEST_CASE("every model of every list has a name of its own, a line of doc, a sou
       for (const auto& parameter : spec.parameters) CHECK_FALSE(parameter.doc.empty());
     }
   };
+  CHECK(&specs_of<Distribution>() == &specs_of<Distribution>()); // made once
   check(specs_of<Distribution>());
   check(specs_of<Masking>());
   check(specs_of<Shadowing>());

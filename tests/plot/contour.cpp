@@ -18,6 +18,17 @@ std::vector<double> steps(double from, double to, int count) {
   return out;
 }
 
+/// Lines of a function of two values.
+std::vector<Contour::Line> level_lines(const std::function<double(double, double)>& value, double level,
+                                       const std::vector<double>& x, const std::vector<double>& y) {
+  const PlaneFunction values = [&](const std::vector<double>& u, const std::vector<double>& v) {
+    std::vector<double> out;
+    for (std::size_t k = 0; k < u.size(); ++k) out.push_back(value(u[k], v[k]));
+    return out;
+  };
+  return brdfplot::plot::level_lines(values, level, x, y);
+}
+
 bool is_closed(const Contour::Line& line) {
   return line.x.size() > 2 && line.x.front() == line.x.back() && line.y.front() == line.y.back();
 }

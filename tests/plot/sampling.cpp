@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace {
 
@@ -26,6 +27,17 @@ CurveRequest request(double from, double to, double low = automatic, double high
   out.y.from = low;
   out.y.to = high;
   return out;
+}
+
+/// Samples a function of one value.
+Curve sample(const Function& y, const CurveRequest& wanted) {
+  return plot::sample(
+      [&](const std::vector<double>& x) {
+        std::vector<double> values;
+        for (const double one : x) values.push_back(y(one));
+        return values;
+      },
+      wanted);
 }
 
 double height(const Curve& curve) {
@@ -221,6 +233,28 @@ TEST_CASE("noise ends at the bound on evaluations") {
   CHECK(evaluations <= 129 + most_evaluations);
   CHECK(evaluations > 10000);
   CHECK(std::ranges::is_sorted(curve.x));
+}
+
+TEST_CASE("a round of refinement is one call: some tens for the most crooked curve") {
+  const auto calls_of = [](const Function& y, const CurveRequest& wanted) {
+    int calls = 0;
+    std::size_t evaluations = 0;
+    plot::sample(
+        [&](const std::vector<double>& x) {
+          ++calls;
+          evaluations += x.size();
+          std::vector<double> values;
+          for (const double one : x) values.push_back(y(one));
+          return values;
+        },
+        wanted);
+    CHECK(evaluations > 250);
+    return calls;
+  };
+  CHECK(calls_of([](double x) { return 3 * x + 1; }, request(0, 1)) == 2);
+  CHECK(calls_of([](double x) { return std::exp(-x); }, request(0, 5)) <= 3);
+  CHECK(calls_of([](double x) { return std::sin(1 / (x + 0.02)); }, request(0, 1)) < 40);
+  CHECK(calls_of([](double x) { return std::fabs(std::sin(40 * x)) + (x > 0.77 ? 1 : 0); }, request(0, 1)) < 40);
 }
 
 TEST_CASE("sampling is deterministic, and can be evenly spaced") {

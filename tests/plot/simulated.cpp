@@ -100,8 +100,11 @@ TEST_CASE("what defines a simulation is in its key, and nothing else") {
   CHECK(differs(changed));
   changed.simulate->paths = 30000;
   CHECK(differs(changed));
-  changed.simulate->facets = "diffuse";
-  CHECK(differs(changed));
+  Term diffuse = changed;
+  diffuse.material.facet = "diffuse";
+  CHECK(differs(diffuse));
+  diffuse.simulate->facets = "diffuse";
+  CHECK_FALSE(differs(diffuse));
   changed.material.distribution.values.set("alpha", 0.700001);
   CHECK(differs(changed));
   changed.material.distribution.type = "beckmann";
@@ -111,6 +114,71 @@ TEST_CASE("what defines a simulation is in its key, and nothing else") {
   CHECK(differs(changed));
   changed.at = {{"theta_o", 1.1}};
   CHECK(differs(changed));
+}
+
+TEST_CASE("a simulated series of diffuse facets shows diffuse facets") {
+  Term term = walked("brdf_cos", "1", {{"theta_o", 30 * degree}, {"theta_i", -40 * degree}});
+  term.material = describe("ggx", 0.5);
+  term.material.facet = "diffuse";
+  const double truth = evaluate(build(term.material), Quantity::brdf_cos, from_angles(30 * degree, 0),
+                                from_angles(-40 * degree, 0), std::nullopt);
+  CHECK(truth == doctest::Approx(0.169).epsilon(0.01));
+  for (const char* facets : {"", "diffuse"}) {
+    term.simulate->facets = facets;
+    const Series series = compute(figure("phi_o", 0, 1e-9, {term})).panels.at(0).series.at(0);
+    CHECK(std::fabs(series.y.at(0) - truth) < 4 * series.error.at(0));
+    CHECK(series.error[0] < 0.01 * truth);
+  }
+}
+
+namespace {
+
+std::string refusal(const Term& term) {
+  try {
+    SimulatedTerm(term, {}).check({});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("facets that are not simulated are refused by name") {
+  Term term = walked("albedo", "1", {{"theta_o", 0.5}});
+  term.simulate->facets = "diffuse";
+  CHECK(refusal(term).find("accepted: conductor, dielectric") != std::string::npos);
+  term.material.facet = "diffuse";
+  CHECK(refusal(term).empty());
+  for (const char* facets : {"conductor", "dielectric"}) {
+    term.simulate->facets = facets;
+    CHECK(refusal(term).find("accepted: diffuse") != std::string::npos);
+  }
+  term.simulate->facets.clear();
+  term.simulate->source = "surface";
+  CHECK(refusal(term).find("found \"facet\": \"diffuse\", accepted: specular") != std::string::npos);
+  term.material.facet = "specular";
+  CHECK(refusal(term).empty());
+}
+
+TEST_CASE("the walk on a coloured material is that of the channel which is named") {
+  Term term = walked("albedo", "all", {{"theta_o", 0.5}});
+  term.material.fresnel.type = "schlick";
+  term.material.fresnel.values.set("f0", Rgb{0.9, 0.5, 0.1});
+  CHECK(refusal(term).find("\"r\", \"g\", \"b\"") != std::string::npos);
+  const auto albedo = [](const Term& one) { return compute(figure("phi_o", 0, 0.1, {one})).panels[0].series[0].y[0]; };
+  Term grey = term;
+  const std::vector<std::pair<std::string, double>> channels = {{"r", 0.9}, {"g", 0.5}, {"b", 0.1}};
+  std::set<std::string> keys;
+  for (const auto& [channel, f0] : channels) {
+    Term named = term;
+    named.at.push_back({"channel", channel});
+    grey.material.fresnel.values.set("f0", f0);
+    CHECK(albedo(named) == albedo(grey));
+    CHECK(keys.insert(simulations(figure("phi_o", 0, 0.1, {named})).at(0).key).second);
+  }
+  term.at.push_back({"channel", "luminance"});
+  CHECK(refusal(term).find("no luminance") != std::string::npos);
 }
 
 TEST_CASE("differences and ratios of simulated terms carry their errors") {

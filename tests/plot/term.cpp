@@ -17,7 +17,7 @@ using plot::Term;
 constexpr double pi = std::numbers::pi;
 
 double value(const std::string& quantity, const MaterialDescription& material, const std::vector<Setting>& at) {
-  return plot::TermFunction({quantity, material, at}, {}, 1e-9)({});
+  return plot::TermFunction({quantity, material, at}, {}, 1e-9)({}).at(0);
 }
 
 /// Random anisotropic, correlated, non-centred materials and configurations.
@@ -187,10 +187,117 @@ TEST_CASE("what a term fixes is not swept") {
   const auto material = Random(5).material("ggx");
   const Term fixed{"g1", material, {{"theta_o", 1.0}, {"theta_m", 0.2}}};
   const plot::TermFunction function(fixed, {"theta_o"}, 1e-9);
-  CHECK(function({0.3}) == function({1.4}));
-  CHECK(function({0.3}) == value("g1", material, fixed.at));
+  const auto same = function({{0.3, 1.4}});
+  CHECK(same == std::vector<double>(2, value("g1", material, fixed.at)));
   const plot::TermFunction swept({"g1", material, {{"theta_m", 0.2}}}, {"theta_o"}, 1e-9);
-  CHECK(swept({1.0}) == function({0.3}));
+  CHECK(swept({{1.0}}) == function({{0.3}}));
+}
+
+TEST_CASE("a surface is built once for all rows that it has, and rows are what each is alone") {
+  const auto material = Random(6).material("ggx");
+  const auto surfaces = [](const plot::SweptConfiguration& configuration, const plot::SweptColumns& columns) {
+    std::vector<std::size_t> rows;
+    configuration.for_each_surface(columns, [&](const auto&, const auto& some, const auto& directions) {
+      CHECK(some.size() == directions.size());
+      rows.push_back(some.size());
+    });
+    return rows;
+  };
+  using Counts = std::vector<std::size_t>;
+  const Term term{"d_visible", material, {{"theta_m", 0.2}, {"stretch_x", 1.3}, {"shear_y", 0.2}}};
+  const plot::SweptColumns columns = {{0.5, 0.1, 0.5, 0.1, 0.3}, {0.3, 0.3, 0.6, 0.6, 0.9}};
+  CHECK(surfaces({term, {"theta_o", "phi_o"}}, columns) == Counts{5});
+  CHECK(surfaces({term, {"a", "phi_m"}}, columns) == Counts{5});
+  CHECK(surfaces({term, {"alpha", "theta_o"}}, columns) == Counts{2, 2, 1});
+  CHECK(surfaces({term, {"theta_o", "shear_x"}}, columns) == Counts{2, 2, 1});
+  CHECK(surfaces({term, {"alpha", "shear_x"}}, columns) == Counts(5, 1));
+  CHECK(surfaces({term, {"alpha", "shear_x"}}, {{}, {}}).empty());
+
+  for (const auto& swept : std::vector<std::vector<std::string>>{
+           {"theta_o", "phi_o"}, {"a", "phi_o"}, {"alpha", "theta_o"}, {"theta_o", "shear_x"}, {"alpha_x", "alpha"}}) {
+    CAPTURE(swept[0]);
+    Term seen = term;
+    if (swept[0] != "a" && swept[0] != "theta_o" && swept[1] != "theta_o") seen.at.push_back({"theta_o", 0.7});
+    const plot::TermFunction function(seen, swept, 1e-9);
+    const auto values = function(columns);
+    REQUIRE(values.size() == 5);
+    for (std::size_t k = 0; k < 5; ++k) CHECK(values[k] == function({{columns[0][k]}, {columns[1][k]}}).at(0));
+  }
+}
+
+namespace {
+
+/// Gold, as SchlickFresnel has it.
+MaterialDescription gold() {
+  auto material = Random(7).material("beckmann");
+  material.fresnel.type = "schlick";
+  material.fresnel.values.set("f0", Rgb{1, 0.71, 0.29});
+  return material;
+}
+
+/// What is wrong, or nothing.
+std::string error_of(const Term& term, const std::vector<std::string>& swept, const std::vector<double>& at) {
+  try {
+    plot::TermFunction(term, swept, 1e-6).check(at);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("a coloured quantity is that of the channel which is named") {
+  const std::vector<Setting> at = {{"theta_o", 0.5}, {"theta_i", -0.4}, {"phi_i", 0.1}};
+  const auto of = [&](const std::string& quantity, const char* channel) {
+    auto settings = at;
+    settings.push_back({"channel", channel});
+    return value(quantity, gold(), settings);
+  };
+  const auto grey = [&](double f0) {
+    auto material = gold();
+    material.fresnel.values.set("f0", f0);
+    return material;
+  };
+  for (const char* quantity : {"brdf", "brdf_cos", "fresnel", "albedo", "mean_theta_i", "peak_theta_i"}) {
+    CAPTURE(quantity);
+    CHECK(of(quantity, "r") == value(quantity, grey(1), at));
+    CHECK(of(quantity, "g") == value(quantity, grey(0.71), at));
+    CHECK(of(quantity, "b") == value(quantity, grey(0.29), at));
+    const Term unnamed{quantity, gold(), at};
+    CHECK(error_of(unnamed, {}, {}).find("\"r\", \"g\", \"b\" or \"luminance\"") != std::string::npos);
+  }
+  for (const char* quantity : {"brdf", "brdf_cos", "fresnel", "albedo"})
+    CHECK(of(quantity, "luminance") ==
+          doctest::Approx(0.2126 * of(quantity, "r") + 0.7152 * of(quantity, "g") + 0.0722 * of(quantity, "b"))
+              .epsilon(1e-14));
+  const auto no_luminance = [&](const char* quantity) {
+    auto settings = at;
+    settings.push_back({"channel", "luminance"});
+    return error_of({quantity, gold(), settings}, {}, {});
+  };
+  CHECK(no_luminance("mean_theta_i").find("\"r\", \"g\" or \"b\"") != std::string::npos);
+  CHECK(no_luminance("peak_theta_i").find("\"r\", \"g\" or \"b\"") != std::string::npos);
+}
+
+TEST_CASE("a channel is wanted where colours differ alone") {
+  const std::vector<Setting> at = {{"theta_o", 0.5}, {"theta_i", -0.4}};
+  CHECK(error_of({"d", gold(), at}, {"theta_m"}, {0.1}).empty());
+  CHECK(error_of({"furnace", gold(), at}, {}, {}).empty());
+  auto equal = gold();
+  equal.fresnel.values.set("f0", Rgb{0.5, 0.5, 0.5});
+  CHECK(error_of({"brdf", equal, at}, {}, {}).empty());
+  auto number = equal;
+  number.fresnel.values.set("f0", 0.5);
+  CHECK(value("brdf", equal, at) == value("brdf", number, at));
+  // What is swept takes the colour's place.
+  CHECK(error_of({"brdf", gold(), at}, {"f0"}, {0.5}).empty());
+  CHECK(!error_of({"brdf", gold(), at}, {"f90"}, {0.5}).empty());
+  CHECK_THROWS_AS(value("brdf", gold(), {{"channel", "red"}}), InputError);
+  CHECK_THROWS_AS(value("brdf", gold(), {{"channel", 1.0}}), InputError);
+  CHECK(plot::depends_on("brdf", "channel"));
+  CHECK(plot::depends_on("transmittance", "channel"));
+  CHECK_FALSE(plot::depends_on("g2", "channel"));
 }
 
 TEST_CASE("setting variables: parameters, models, and what nothing has") {

@@ -20,6 +20,12 @@ WalkResult walk_from(const Material& material, const Direction& o, std::vector<D
   return walk(material, facets, {o, std::move(i), paths, 1, threads});
 }
 
+Material diffuse(const std::string& distribution, double alpha) {
+  MaterialDescription description = describe(distribution, alpha);
+  description.facet = "diffuse";
+  return build(description);
+}
+
 Measured energy(const WalkResult::ByBounce& from, std::size_t first, std::size_t last) {
   return WalkResult::energy(from, first, last).at(0);
 }
@@ -132,10 +138,9 @@ TEST_CASE("the lobe of every bounce integrates to the energy that leaves after i
 
 TEST_CASE("the walk is reciprocal, multiple bounces included, for conductors and diffuse facets") {
   const Direction a = from_angles(70 * degree, 0), b = from_angles(-20 * degree, 0.5);
-  const Material conductor = with_fresnel("beckmann", 0.9, "schlick", "f0", 0.6);
-  for (const Facets facets : {Facets::conductor, Facets::diffuse}) {
-    const auto there = lobe_at(walk_from(conductor, a, {b}, 100000, facets), 0, 2, bounce_classes);
-    const auto back = lobe_at(walk_from(conductor, b, {a}, 100000, facets), 0, 2, bounce_classes);
+  for (const Material& m : {with_fresnel("beckmann", 0.9, "schlick", "f0", 0.6), diffuse("beckmann", 0.9)}) {
+    const auto there = lobe_at(walk_from(m, a, {b}, 100000), 0, 2, bounce_classes);
+    const auto back = lobe_at(walk_from(m, b, {a}, 100000), 0, 2, bounce_classes);
     const double error = std::hypot(there.standard_error / b.z, back.standard_error / a.z);
     CHECK(std::fabs(there.value / b.z - back.value / a.z) < 3.5 * error);
     CHECK(there.value > 20 * there.standard_error);
@@ -143,7 +148,7 @@ TEST_CASE("the walk is reciprocal, multiple bounces included, for conductors and
 }
 
 TEST_CASE("diffuse facets of albedo 1 lose nothing") {
-  const WalkResult result = walk_from(material("ggx", 1), at_cosine(0.3), {}, 6400, Facets::diffuse);
+  const WalkResult result = walk_from(diffuse("ggx", 1), at_cosine(0.3), {}, 6400);
   CHECK(energy(result.reflected, 1, bounce_classes).value == doctest::Approx(1).epsilon(1e-12));
   CHECK(result.unfinished == 0);
 }
@@ -239,5 +244,6 @@ TEST_CASE("the law of heights changes nothing: walks through Gaussian and unifor
 TEST_CASE("what the walk cannot do it says") {
   CHECK_THROWS_AS(walk_from(test::gtr(0.5, 3), at_cosine(0.5)), InputError);
   CHECK_THROWS_AS(walk_from(material("ggx", 0.5), at_cosine(0.5), {}, 64, Facets::dielectric), InputError);
+  CHECK_THROWS_AS(walk_from(diffuse("ggx", 0.5), at_cosine(0.5), {}, 64, Facets::dielectric), InputError);
   CHECK_THROWS_AS(walk_from(material("ggx", 0.5), from_angles(2, 0)), InputError);
 }

@@ -38,7 +38,7 @@ struct MixtureOf {
                             .kind = ParameterKind::components,
                             .bounds = {.min = 1e-100, .max = 1e100},
                             .doc = "what is summed; the weights are divided by their sum",
-                            .models = [] { return specs_of<List>(); }}}};
+                            .models = []() -> const std::vector<ModelSpec>& { return specs_of<List>(); }}}};
   }
 
   static Made<MixtureOf> from(const Values& values) {
