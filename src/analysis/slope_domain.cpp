@@ -191,15 +191,14 @@ public:
   }
 
   ChartPoint operator()(std::size_t chart, double x, double psi) {
-    const std::size_t part = chart % most_parts, parts = chart / most_parts;
-    const auto& ends = ray(psi);
-    // Beside a sector's edge, which is known to rounding only, and where a narrow sector was overlooked, rays have
-    // other parts. Together they reach from the centre to the end of the ray all the same.
-    if (part + 1 >= ends.size()) return {0, 0, 0};
+    const std::size_t part = chart % most_parts;
+    const Ends& typical = sectors_[chart / most_parts];
+    const Ends& ends = ends_in_sector(typical, psi);
     const End& begin = ends[part];
-    const End& end = part + 1 == parts ? ends.back() : ends[part + 1];
+    const End& end = ends[part + 1];
+    const bool last = part + 2 == ends.size();
     // Towards the horizon shadowing changes within an angle of the order of the roughness: points crowd there.
-    const Place place = placed(x, is_root(begin), part + 1 == parts || is_root(end));
+    const Place place = placed(x, is_root(begin), last || is_root(end));
     const double length = end.z - begin.z;
     const double z = begin.z + length * place.at;
     const double dz = length * place.slope;
@@ -212,13 +211,14 @@ private:
   static constexpr double spread = 2;
   static constexpr double shortest = 0x1p-14; ///< r below which all rays are alike: they see 1e-9 of the mass
   static constexpr std::size_t most_rays = 20000;
-  static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered parts * most_parts + part
+  static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered sector * most_parts + part
 
   /// Where two parts of a ray meet, or its end: in z, and which switch changes its sign there.
   struct End {
     double z;
     std::size_t crossed;
   };
+  using Ends = std::vector<End>; ///< of the parts of a ray, ascending from 0
 
   bool is_root(const End& end) const { return end.crossed < f_.switches.size() && f_.switches[end.crossed].root; }
 
@@ -259,9 +259,11 @@ private:
     double begin = from;
     double low = probes.front();
     auto below = crossed(low);
-    const auto add = [&](double end) {
+    const auto add = [&](double end, double typical) {
       const std::size_t parts = below.size() / 2 - 1;
-      for (std::size_t part = 0; part < parts; ++part) all.push_back({0, 1, begin, end, parts * most_parts + part});
+      for (std::size_t part = 0; part < parts; ++part)
+        all.push_back({0, 1, begin, end, sectors_.size() * most_parts + part});
+      sectors_.push_back(ray(typical));
       begin = end;
     };
     for (const double probe : probes) {
@@ -271,23 +273,52 @@ private:
           const double middle = 0.5 * (low + high);
           (crossed(middle) == below ? low : high) = middle;
         }
-        add(high);
+        add(high, low);
         low = high;
         below = crossed(high);
       }
       low = probe;
     }
-    add(to);
+    add(to, low);
   }
 
-  /// The ends of the parts of a ray, ascending from 0. Remembered: the parts of a sector, and rectangles that are
-  /// divided across the rays, ask for the same ones.
-  const std::vector<End>& ray(double psi) {
+  static bool is_like(const Ends& one, const Ends& other) {
+    return std::ranges::equal(one, other, {}, &End::crossed, &End::crossed);
+  }
+
+  /// The ends of a ray, as many as a sector has parts. Beside a sector's edge, which is known to rounding only, and
+  /// where a narrow sector was overlooked, rays cross other switches: then those ends count that are the sector's, and
+  /// what is missing is put where typical rays have it, so that each part is nearly the same from ray to ray. (Were
+  /// parts counted from the centre, one would take from the next where a crossing comes in between; these are
+  /// integrated by rules of their own, of which one might see it and the other not.)
+  const Ends& ends_in_sector(const Ends& typical, double psi) {
+    const Ends& own = ray(psi);
+    if (is_like(own, typical)) return own;
+    matched_ = {own.front()};
+    const double scale = own.back().z / typical.back().z;
+    for (std::size_t k = 1; k + 1 < typical.size(); ++k) {
+      const double expected = std::clamp(scale * typical[k].z, matched_.back().z, own.back().z);
+      End nearest{expected, typical[k].crossed};
+      double distance = infinity;
+      for (const End& end : own) {
+        if (end.crossed != typical[k].crossed || end.z <= matched_.back().z) continue;
+        if (std::fabs(end.z - expected) < distance) nearest = end;
+        distance = std::min(distance, std::fabs(end.z - expected));
+      }
+      matched_.push_back(nearest);
+    }
+    matched_.push_back(own.back());
+    return matched_;
+  }
+
+  /// The ends of the parts of a ray. Remembered: the parts of a sector, and rectangles that are divided across the
+  /// rays, ask for the same ones.
+  const Ends& ray(double psi) {
     if (const auto known = rays_.find(psi); known != rays_.end()) return known->second;
     if (rays_.size() >= most_rays) rays_.clear();
     const double reach = frame_.reach(std::cos(psi), std::sin(psi));
     const double end = reach == infinity ? 1 : reach / (spread + reach);
-    std::vector<End> ends = {{0, f_.switches.size()}, {end, f_.switches.size()}};
+    Ends ends = {{0, f_.switches.size()}, {end, f_.switches.size()}};
     for (std::size_t k = 0; k < f_.switches.size(); ++k) add_sign_changes(k, psi, end, ends);
     std::ranges::sort(ends, {}, &End::z);
     return rays_.emplace(psi, std::move(ends)).first->second;
@@ -303,7 +334,7 @@ private:
     of(normals_, values_);
   }
 
-  void add_sign_changes(std::size_t which, double psi, double end, std::vector<End>& ends) {
+  void add_sign_changes(std::size_t which, double psi, double end, Ends& ends) {
     const NormalIntegrand& of = f_.switches[which].value;
     constexpr int probes = 24;
     std::vector<double> z = {1e-9 * end, 1e-6 * end, 1e-4 * end}; // crossings may leave by the centre
@@ -377,7 +408,9 @@ private:
   const SlopeFrame& frame_;
   const LitIntegrand& f_;
   double copies_;
-  std::unordered_map<double, std::vector<End>> rays_; ///< by psi
+  std::unordered_map<double, Ends> rays_; ///< by psi
+  std::vector<Ends> sectors_;             ///< the ends of a typical ray of each
+  Ends matched_;
   std::vector<Direction> normals_;
   std::vector<double> values_;
 };

@@ -186,7 +186,7 @@ RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
 }
 
 RayIntegral diffuse_truth(const Material& material, const Direction& o, const Direction& i, double tolerance,
-                          double about) {
+                          double about, int parts) {
   const double c_o = material.slopes().project(o).c, c_i = material.slopes().project(i).c;
   const auto inside = [&](const Direction& facet) { return dot(o, facet) > 0 && dot(i, facet) > 0; };
   RayIntegral sum;
@@ -203,7 +203,7 @@ RayIntegral diffuse_truth(const Material& material, const Direction& o, const Di
         values[k] *= std::max(0.0, dot(o, facets[k])) * std::max(0.0, dot(i, facets[k])) *
                      component.density(facets[k]) / (std::numbers::pi * c_o * c_i);
     };
-    const RayIntegral part = integrate_rays(component.frame, o, inside, f, tolerance * about);
+    const RayIntegral part = integrate_rays(component.frame, o, inside, f, tolerance * about, parts);
     sum.value += part.value;
     sum.doubt += part.doubt;
   }

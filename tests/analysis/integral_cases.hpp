@@ -56,7 +56,8 @@ std::optional<IntegralCase> random_case(std::uint64_t number);
 RayIntegral truth_of(const IntegralCase& one, double of_tolerance = 1);
 
 /// rho of diffuse facets (Heitz 2014, Eq. 31), to a relative `tolerance`; `about` is what it is, roughly.
+/// `parts`: into how many each panel is cut to begin with.
 RayIntegral diffuse_truth(const Material& material, const Direction& o, const Direction& i, double tolerance,
-                          double about);
+                          double about, int parts);
 
 } // namespace test

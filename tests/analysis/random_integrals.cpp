@@ -145,6 +145,12 @@ TEST_CASE("albedos with kinks that are part of a model") {
   require_all_right(tally);
 }
 
+TEST_CASE("albedos of rays that cross a kink in a narrow range of angles alone") {
+  Tally tally;
+  for (const std::uint64_t number : {1975}) tally.add(compare(*random_case(number), fine));
+  require_all_right(tally);
+}
+
 TEST_CASE("albedos whose mass lies at the edge of a range of angles") {
   Tally tally;
   for (const double theta : {89.9, 89.99})
@@ -189,9 +195,11 @@ TEST_CASE("random BRDFs of diffuse facets agree with an independent rule, or are
     try {
       constexpr double accuracy = 1e-9;
       const double value = test::value(one->material, Quantity::brdf, one->o, i);
-      const RayIntegral truth = diffuse_truth(one->material, one->o, i, accuracy, value);
+      RayIntegral truth = diffuse_truth(one->material, one->o, i, accuracy, value, 1);
+      const auto agrees = [&] { return std::fabs(value - truth.value) <= accuracy * truth.value + 3 * truth.doubt; };
+      if (!agrees()) truth = diffuse_truth(one->material, one->o, i, fine * accuracy, value, 6);
       tally.answered = 1;
-      if (std::fabs(value - truth.value) > accuracy * truth.value + 3 * truth.doubt) {
+      if (!agrees()) {
         tally.wrong = 1;
         tally.faults = text + ": " + format_number(value) + ", truth " + format_number(truth.value) + "\n";
         say("WRONG " + tally.faults);
