@@ -160,8 +160,10 @@ private:
     case Facets::dielectric: return dielectric_reflectance(std::min(facing, 1.0), relative_index(outside));
     case Facets::conductor: break;
     }
-    return std::visit([&](const auto& fresnel) { return fresnel.reflectance(std::min(facing, 1.0))[0]; },
-                      material_.fresnel);
+    const double c = std::min(facing, 1.0);
+    double f = 0;
+    std::visit([&](const auto& fresnel) { fresnel.reflectances(&c, 0, &f, 1); }, material_.fresnel);
+    return f;
   }
 
   SmithProfile<Shape> profile_;

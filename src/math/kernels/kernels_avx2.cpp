@@ -5,6 +5,6 @@
 
 namespace brdfplot::kernels::detail {
 
-constinit const Table avx2_table{avx2::kernels_of<double>(), avx2::kernels_of<float>()};
+constinit const Table avx2_table{avx2::kernels_of<double>(), avx2::kernels_of<float>(), avx2::fresnel_kernels()};
 
 } // namespace brdfplot::kernels::detail

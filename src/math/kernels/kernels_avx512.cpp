@@ -5,6 +5,7 @@
 
 namespace brdfplot::kernels::detail {
 
-constinit const Table avx512_table{avx512::kernels_of<double>(), avx512::kernels_of<float>()};
+constinit const Table avx512_table{avx512::kernels_of<double>(), avx512::kernels_of<float>(),
+                                   avx512::fresnel_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -5,6 +5,7 @@
 
 namespace brdfplot::kernels::detail {
 
-constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>()};
+constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>(),
+                                     baseline::fresnel_kernels()};
 
 } // namespace brdfplot::kernels::detail
