@@ -280,11 +280,12 @@ void evaluate_whole(const Material& material, const WholeKernel& kernel, Quantit
   if (!std::exchange(block.done.white, true))
     kernels::brdf(stretch, kernel.first, kernel.second, vectors(block.o), vectors(block.i), block.white.data(),
                   block.n);
-  Buffer value = block.white;
+  Buffer weighted;
   if (quantity == Quantity::brdf_cos) {
     kernels::project(stretch, vectors(block.i), block.light.c.data(), block.light.s.data(), block.n);
-    for (std::size_t k = 0; k < block.n; ++k) value[k] *= std::max(0.0, block.light.c[k]);
+    for (std::size_t k = 0; k < block.n; ++k) weighted[k] = block.white[k] * std::max(0.0, block.light.c[k]);
   }
+  const Buffer& value = quantity == Quantity::brdf_cos ? weighted : block.white;
   if (std::holds_alternative<NoFresnel>(material.fresnel))
     std::copy_n(value.data(), block.n, out);
   else

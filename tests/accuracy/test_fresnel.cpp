@@ -18,7 +18,7 @@ using Wide =
 
 /// Inputs of one set of parameters, so that the kernels compute vectors of them.
 constexpr std::size_t batch = 50;
-using Values = std::array<double, batch>;
+using Cosines = std::array<double, batch>;
 
 /// The parameters of a kernel, those that it has.
 struct Parameters {
@@ -142,7 +142,7 @@ void check(const Function& function) {
   Random random(6);
   for (std::size_t n = 0; n < inputs_per_row(); n += batch) {
     const Parameters p = function.draw(random);
-    Values c, f;
+    Cosines c, f;
     std::array<Wide, batch> exact;
     for (std::size_t j = 0; j < batch; ++j) {
       c[j] = draw_cosine(random, p.eta);
@@ -171,7 +171,7 @@ TEST_CASE("reflectances: a cosine alone, and on another instruction set, has the
     const double eta = draw_eta(random), k = draw_absorption(random, eta), f0 = random.uniform(),
                  f90 = random.uniform();
     const double exponent = random.log_uniform(1e-3, 1e3);
-    Values c, of_dielectric, of_conductor, of_fifth, of_power;
+    Cosines c, of_dielectric, of_conductor, of_fifth, of_power;
     for (double& cosine : c) cosine = draw_cosine(random, eta);
     const kernels::Isa chosen = kernels::active_isa();
     kernels::use_isa(kernels::Isa::baseline);
