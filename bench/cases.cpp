@@ -233,7 +233,7 @@ void add_brdfs(std::vector<Case>& all) {
                        [](std::size_t k) { return exact_conductor(k, conductor_eta, conductor_k); });
     conductor.add("brdfplot evaluate", evaluate_conductors(conductor_eta, conductor_k));
     conductor.add("as pbrt-v4", over_batches<T>(pbrt_conductor));
-    Group<T> gold(all, "BRDF GGX gold, RGB", [](std::size_t k) { return exact_conductor(k, gold_eta[0], gold_k[0]); });
+    Group<T> gold(all, "BRDF GGX gold RGB", [](std::size_t k) { return exact_conductor(k, gold_eta[0], gold_k[0]); });
     gold.add("brdfplot evaluate", evaluate_conductors(gold_eta, gold_k));
     gold.add("as pbrt-v4", over_batches<T>(pbrt_gold), 6);
   }
