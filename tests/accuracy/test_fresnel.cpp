@@ -11,23 +11,23 @@ namespace {
 
 using namespace brdfplot;
 using namespace brdfplot::accuracy;
-/// 1 - c^2 needs 2 log2(1 / c) bits and 53 more.
-using Wide =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<2100, boost::multiprecision::digit_base_2>,
-                                  boost::multiprecision::et_off>;
+using boost::multiprecision::cpp_bin_float;
+template <unsigned bits>
+using Binary = boost::multiprecision::number<cpp_bin_float<bits, boost::multiprecision::digit_base_2>,
+                                             boost::multiprecision::et_off>;
 
 /// Inputs of one set of parameters, so that the kernels compute vectors of them.
 constexpr std::size_t batch = 50;
 using Cosines = std::array<double, batch>;
 
-/// The parameters of a kernel, those that it has.
+/// The parameters of the kernels: an index, or those of Schlick's formula.
 struct Parameters {
   double eta = 1, k = 0;
   double f0 = 0, f90 = 1, exponent = 5;
   std::string text() const {
     using accuracy::text;
-    return " eta = " + text(eta) + " k = " + text(k) + " f0 = " + text(f0) + " f90 = " + text(f90) +
-           " exponent = " + text(exponent);
+    if (f0 == 0 && f90 == 1) return " eta = " + text(eta) + " k = " + text(k);
+    return " f0 = " + text(f0) + " f90 = " + text(f90) + " exponent = " + text(exponent);
   }
 };
 
@@ -81,19 +81,33 @@ void run_schlick(const double* c, const Parameters& p, double* f) {
   kernels::reflectance_schlick(c, p.f0, p.f90, p.exponent, f, batch);
 }
 
-Wide exact_dielectric(double c, const Parameters& p) {
-  if (c == 0 && p.eta == 1) return 0; // without an interface
-  return reference::dielectric(Wide(c), Wide(p.eta));
-}
+struct ExactDielectric {
+  template <class R>
+  static R of(double c, const Parameters& p) {
+    return c == 0 && p.eta == 1 ? R(0) : reference::dielectric(R(c), R(p.eta)); // without an interface 0
+  }
+};
 
-Wide exact_conductor(double c, const Parameters& p) {
-  if (c == 0 && p.eta == 1 && p.k == 0) return 0;
-  return reference::conductor(Wide(c), Wide(p.eta), Wide(p.k));
-}
+struct ExactConductor {
+  template <class R>
+  static R of(double c, const Parameters& p) {
+    return c == 0 && p.eta == 1 && p.k == 0 ? R(0) : reference::conductor(R(c), R(p.eta), R(p.k));
+  }
+};
 
-Wide exact_schlick(double c, const Parameters& p) {
-  if (c == 1) return p.f0; // 0 to a power that is no integer
-  return reference::schlick(Wide(c), Wide(p.f0), Wide(p.f90), Wide(p.exponent));
+struct ExactSchlick {
+  template <class R>
+  static R of(double c, const Parameters& p) {
+    return c == 1 ? R(p.f0) : reference::schlick(R(c), R(p.f0), R(p.f90), R(p.exponent));
+  }
+};
+
+/// 1 - c^2 needs 2 log2(1 / c) bits and 53 more, the phase of n^2 2 log2(1 / k).
+template <class Exact>
+Quad exact(double c, const Parameters& p) {
+  const auto is_large = [](double x) { return x == 0 || x > 1e-30; };
+  return is_large(c) && is_large(p.k) ? Quad(Exact::template of<Binary<512>>(c, p))
+                                      : Quad(Exact::template of<Binary<2100>>(c, p));
 }
 
 /// One function, with its parameters at random.
@@ -102,7 +116,7 @@ struct Function {
   Bound bound;
   Parameters (*draw)(Random&);
   void (*run)(const double*, const Parameters&, double*);
-  Wide (*exact)(double, const Parameters&);
+  Quad (*exact)(double, const Parameters&);
 };
 
 const std::vector<Function> functions = {
@@ -110,27 +124,27 @@ const std::vector<Function> functions = {
      [](Random& random) {
        return Parameters{.f0 = random.uniform(), .f90 = random.chance(0.3) ? 0 : random.uniform()};
      },
-     run_schlick, exact_schlick},
-    {"Fresnel (Schlick, any exponent)", "exponent in [1e-3; 1e3]", bounds::schlick,
+     run_schlick, exact<ExactSchlick>},
+    {"Fresnel (Schlick to any power)", "exponent in [1e-3; 1e3]", bounds::schlick,
      [](Random& random) {
        return Parameters{.f0 = random.chance(0.3) ? 0 : random.uniform(),
                          .f90 = random.chance(0.3) ? 0 : random.uniform(),
                          .exponent = random.log_uniform(1e-3, 1e3)};
      },
-     run_schlick, exact_schlick},
+     run_schlick, exact<ExactSchlick>},
     {"Fresnel (dielectric)", "eta in [1.3; 4]", bounds::dielectric,
-     [](Random& random) { return Parameters{.eta = random.uniform(1.3, 4)}; }, run_dielectric, exact_dielectric},
+     [](Random& random) { return Parameters{.eta = random.uniform(1.3, 4)}; }, run_dielectric, exact<ExactDielectric>},
     {"Fresnel (dielectric)", "eta in [1e-6; 1e6]", bounds::dielectric,
-     [](Random& random) { return Parameters{.eta = draw_eta(random)}; }, run_dielectric, exact_dielectric},
+     [](Random& random) { return Parameters{.eta = draw_eta(random)}; }, run_dielectric, exact<ExactDielectric>},
     {"Fresnel (conductor)", "eta in [0.05; 5]; k in [0.5; 10]", bounds::conductor,
      [](Random& random) { return Parameters{.eta = random.log_uniform(0.05, 5), .k = random.uniform(0.5, 10)}; },
-     run_conductor, exact_conductor},
+     run_conductor, exact<ExactConductor>},
     {"Fresnel (conductor)", "eta in [1e-6; 1e6]; k in [0; 1e6]", bounds::conductor,
      [](Random& random) {
        const double eta = draw_eta(random);
        return Parameters{.eta = eta, .k = draw_absorption(random, eta)};
      },
-     run_conductor, exact_conductor},
+     run_conductor, exact<ExactConductor>},
 };
 
 /// On every instruction set against the same exact values.
@@ -143,16 +157,16 @@ void check(const Function& function) {
   for (std::size_t n = 0; n < inputs_per_row(); n += batch) {
     const Parameters p = function.draw(random);
     Cosines c, f;
-    std::array<Wide, batch> exact;
+    std::array<Quad, batch> truth;
     for (std::size_t j = 0; j < batch; ++j) {
       c[j] = draw_cosine(random, p.eta);
-      exact[j] = function.exact(c[j], p);
+      truth[j] = function.exact(c[j], p);
     }
     auto row = rows.begin();
     for_each_isa([&](const std::string&) {
       function.run(c.data(), p, f.data());
       for (std::size_t j = 0; j < batch; ++j)
-        row->add(ulp_error(f[j], exact[j]), [&] { return "c = " + text(c[j]) + p.text(); });
+        row->add(ulp_error(f[j], truth[j]), [&] { return "c = " + text(c[j]) + p.text(); });
       ++row;
     });
   }

@@ -1,6 +1,7 @@
 /// \file
 /// The kernels for AVX-512 (F, DQ, VL); kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE avx512
+#include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
 
 namespace brdfplot::kernels::detail {

@@ -1,6 +1,7 @@
 /// \file
 /// The kernels for every processor of the architecture; kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE baseline
+#include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
 
 namespace brdfplot::kernels::detail {

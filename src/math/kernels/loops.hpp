@@ -8,7 +8,6 @@
 #pragma once
 
 #include "math/kernels/brdf_elements.hpp"
-#include "math/kernels/fresnel_elements.hpp"
 
 namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
 
@@ -271,29 +270,6 @@ constexpr void add_stretched(detail::Kernels<T>& table) {
   table.project[plain] = project_all<T, plain>;
   add_distribution<T, plain, Distribution::beckmann>(table);
   add_distribution<T, plain, Distribution::ggx>(table);
-}
-
-template <double (*reflectance)(const detail::IndexConstants&, double)>
-void over_cosines(const detail::IndexConstants& constants, const double* __restrict c, double* __restrict f,
-                  std::size_t n) {
-  const detail::IndexConstants k = constants;
-  BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < n; ++j) f[j] = reflectance(k, c[j]);
-}
-
-template <bool fifth>
-void schlick_all(const detail::SchlickConstants& constants, const double* __restrict c, double* __restrict f,
-                 std::size_t n) {
-  const detail::SchlickConstants k = constants;
-  BRDFPLOT_INDEPENDENT
-  for (std::size_t j = 0; j < n; ++j) {
-    const Grazing grazing = fifth ? fifth_power(c[j]) : power(c[j], k.exponent);
-    f[j] = k.f0 * grazing.complement + k.f90 * grazing.power;
-  }
-}
-
-constexpr detail::FresnelKernels fresnel_kernels() {
-  return {over_cosines<dielectric>, over_cosines<conductor>, {schlick_all<false>, schlick_all<true>}};
 }
 
 template <class T>
