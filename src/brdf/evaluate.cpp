@@ -450,7 +450,8 @@ void evaluate(const Material& material, std::span<const Wanted> wanted, const Ba
   if (without) evaluate_those(material, wanted, batch, false);
 }
 
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out) {
+void evaluate(const Material& material, Quantity quantity, const Batch& batch,
+              double* out) { // NOLINT(readability-non-const-parameter): Wanted has it
   const Wanted wanted{quantity, out};
   evaluate(material, std::span(&wanted, 1), batch);
 }

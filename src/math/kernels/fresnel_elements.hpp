@@ -70,8 +70,8 @@ BRDFPLOT_INLINE Pair<double> logarithm(double u, double low) {
   using F = Format<double>;
   constexpr Bits<double> root_half = 0x3fe6a09e667f3bcd, offset = Bits<double>{64} << F::fraction_bits;
   const Bits<double> k_bits = (bits(u) + (offset - root_half)) >> F::fraction_bits; // k + 64
-  const double k = from_bits<double>(k_bits | bits(F::integer)) - (F::integer + 64);
-  const double scale = from_bits<double>((Bits<double>{F::bias + 64} - k_bits) << F::fraction_bits);
+  const auto k = from_bits<double>(k_bits | bits(F::integer)) - (F::integer + 64);
+  const auto scale = from_bits<double>((Bits<double>{F::bias + 64} - k_bits) << F::fraction_bits);
   const double m = u * scale, m_low = low * scale;
   const Pair<double> over = sum(m - 1, m_low), under = sum(m, 1.0);
   const double inverse = 1 / under.high, s = over.high * inverse;
