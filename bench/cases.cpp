@@ -14,9 +14,10 @@ using reference::Model;
 /// Every so many inputs one is compared with the reference.
 constexpr std::size_t stride = 499;
 
+/// Of several channels the first stays: the next batch overwrites the others.
 template <class T>
 std::vector<T>& output() {
-  static std::vector<T> values(count);
+  static std::vector<T> values(count + 2 * batch);
   return values;
 }
 
@@ -76,39 +77,33 @@ Exact exact_d(Model model, std::size_t k) {
   return {reference::d(model, stretch<T>(k), m), exponent<T>(model, m, k)};
 }
 
-Exact exact_conductor(std::size_t k) {
+Exact exact_conductor(std::size_t k, double eta, double absorption) {
   const auto o = vector(inputs<double>().o, k), i = vector(inputs<double>().i, k);
   const reference::Vector<Quad> h{o.x + i.x, o.y + i.y, o.z + i.z};
   const Quad facing = reference::dot(o, h) / sqrt(reference::dot(h, h));
-  return {exact_brdf<double>(Model::ggx, k).value *
-          reference::conductor(facing, Quad(conductor_eta), Quad(conductor_k))};
+  return {exact_brdf<double>(Model::ggx, k).value * reference::conductor(facing, Quad(eta), Quad(absorption))};
 }
 
-/// Materials of rough conductors, one a batch.
-const std::vector<Material>& conductors() {
-  static const std::vector<Material> all = [] {
-    std::vector<Material> list;
-    for (const double alpha : inputs<double>().alpha) {
-      MaterialDescription description;
-      description.distribution.type = "ggx";
-      description.distribution.values.set("alpha", alpha);
-      description.fresnel.type = "conductor";
-      description.fresnel.values.set("eta", conductor_eta);
-      description.fresnel.values.set("k", conductor_k);
-      list.push_back(build(description));
-    }
-    return list;
-  }();
-  return all;
-}
-
-void evaluate_conductors() {
-  const auto& in = inputs<double>();
-  for (std::size_t k = 0; k < count; k += batch) {
-    const auto o = in.o.from(k), i = in.i.from(k);
-    evaluate(conductors()[k / batch], Quantity::brdf, {batch, {o.x, o.y, o.z}, {i.x, i.y, i.z}, {}},
-             output<double>().data() + k);
+/// Evaluates the BRDF of rough conductors, one a batch.
+std::function<void()> evaluate_conductors(const Value& eta, const Value& absorption) {
+  std::vector<Material> materials;
+  for (const double alpha : inputs<double>().alpha) {
+    MaterialDescription description;
+    description.distribution.type = "ggx";
+    description.distribution.values.set("alpha", alpha);
+    description.fresnel.type = "conductor";
+    description.fresnel.values.set("eta", eta);
+    description.fresnel.values.set("k", absorption);
+    materials.push_back(build(description));
   }
+  return [materials] {
+    const auto& in = inputs<double>();
+    for (std::size_t k = 0; k < count; k += batch) {
+      const auto o = in.o.from(k), i = in.i.from(k);
+      evaluate(materials[k / batch], Quantity::brdf, {batch, {o.x, o.y, o.z}, {i.x, i.y, i.z}, {}},
+               output<double>().data() + k);
+    }
+  };
 }
 
 /// A list of cases under construction. All of one group share inputs and exact results.
@@ -234,9 +229,13 @@ void add_brdfs(std::vector<Case>& all) {
   beckmann.add("as pbrt, std::erf", over_batches<T>(pbrt_beckmann<T>), is_double ? 12 : 0);
   beckmann.add("lean isotropic, std::erf", over_batches<T>(lean_beckmann<T>));
   if constexpr (is_double) {
-    Group<T> conductor(all, "BRDF GGX conductor", exact_conductor);
-    conductor.add("brdfplot evaluate", evaluate_conductors);
+    Group<T> conductor(all, "BRDF GGX conductor",
+                       [](std::size_t k) { return exact_conductor(k, conductor_eta, conductor_k); });
+    conductor.add("brdfplot evaluate", evaluate_conductors(conductor_eta, conductor_k));
     conductor.add("as pbrt-v4", over_batches<T>(pbrt_conductor));
+    Group<T> gold(all, "BRDF GGX gold RGB", [](std::size_t k) { return exact_conductor(k, gold_eta[0], gold_k[0]); });
+    gold.add("brdfplot evaluate", evaluate_conductors(gold_eta, gold_k));
+    gold.add("as pbrt-v4", over_batches<T>(pbrt_gold), 6);
   }
 }
 

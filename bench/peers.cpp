@@ -114,6 +114,11 @@ double fresnel_complex(double cosine, std::complex<double> eta) {
   return (std::norm(parallel) + std::norm(perpendicular)) / 2;
 }
 
+double half_vector_cosine(kernels::Vectors<double> o, kernels::Vectors<double> i, std::size_t k) {
+  const double x = o.x[k] + i.x[k], y = o.y[k] + i.y[k], z = o.z[k] + i.z[k];
+  return (o.x[k] * x + o.y[k] * y + o.z[k] * z) / std::sqrt(x * x + y * y + z * z);
+}
+
 template <class Model, class T>
 void over_normals(const Model& model, kernels::Vectors<T> m, T* out, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) out[k] = model.d({m.x[k], m.y[k], m.z[k]});
@@ -190,10 +195,16 @@ void pbrt_d_beckmann(double alpha, kernels::Vectors<T> m, kernels::Vectors<T>, T
 
 void pbrt_conductor(double alpha, kernels::Vectors<double> o, kernels::Vectors<double> i, double* out, std::size_t n) {
   over_pairs(PbrtGgx<double>{alpha, alpha}, o, i, out, n);
+  for (std::size_t k = 0; k < n; ++k)
+    out[k] *= fresnel_complex(half_vector_cosine(o, i, k), {conductor_eta, conductor_k});
+}
+
+void pbrt_gold(double alpha, kernels::Vectors<double> o, kernels::Vectors<double> i, double* out, std::size_t n) {
+  over_pairs(PbrtGgx<double>{alpha, alpha}, o, i, out, n);
   for (std::size_t k = 0; k < n; ++k) {
-    const double x = o.x[k] + i.x[k], y = o.y[k] + i.y[k], z = o.z[k] + i.z[k];
-    const double facing = (o.x[k] * x + o.y[k] * y + o.z[k] * z) / std::sqrt(x * x + y * y + z * z);
-    out[k] *= fresnel_complex(facing, {conductor_eta, conductor_k});
+    const double facing = half_vector_cosine(o, i, k), white = out[k];
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      out[channel * n + k] = white * fresnel_complex(facing, {gold_eta[channel], gold_k[channel]});
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "math/kernels/kernels.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace brdfplot::bench {
@@ -54,6 +55,10 @@ Brdf<T> pbrt_d_beckmann;
 /// scattering.h, FrComplex).
 inline constexpr double conductor_eta = 0.2, conductor_k = 3.9;
 Brdf<double> pbrt_conductor;
+
+/// The same of gold in three channels, the later ones n values apart each.
+inline constexpr std::array<double, 3> gold_eta = {0.14, 0.38, 1.44}, gold_k = {3.98, 2.39, 1.60};
+Brdf<double> pbrt_gold;
 
 /// The leanest isotropic transcription: tan^2 from cos, Lambda twice, a division.
 template <class T>

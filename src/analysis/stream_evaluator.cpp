@@ -45,8 +45,7 @@ std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out)
     for (std::size_t q = 0; q < quantities.size(); ++q)
       if (const auto* info = std::get_if<IntegralInfo>(&quantities[q]))
         if (auto missed = integrate_rows(*info, results_[q])) failure = std::move(missed);
-    for (std::size_t q = 0; q < quantities.size(); ++q)
-      if (const auto* info = std::get_if<QuantityInfo>(&quantities[q])) evaluate_rows(*info, results_[q]);
+    evaluate_rows();
     for (std::size_t q = 0; q < quantities.size(); ++q)
       if (const auto* info = std::get_if<QuantityInfo>(&quantities[q]))
         if (auto untold = guard(*info, results_[q])) failure = std::move(untold);
@@ -102,14 +101,23 @@ std::exception_ptr StreamEvaluator::integrate_rows(const IntegralInfo& info, Res
   return nullptr;
 }
 
-void StreamEvaluator::evaluate_rows(const QuantityInfo& info, Result& result) const {
-  Batch batch{n_, columns_of(Letter::o), columns_of(Letter::i), columns_of(Letter::m)};
-  if (info.needs.i) batch.m = {}; // g2 too is that of the half vector
-  result.stride = n_;
-  if (plan_.options.single_precision)
-    evaluate(plan_.material, info.quantity, batch, result.single.data());
-  else
-    evaluate(plan_.material, info.quantity, batch, result.values.data());
+void StreamEvaluator::evaluate_rows() {
+  const Batch given{n_, columns_of(Letter::o), columns_of(Letter::i), columns_of(Letter::m)};
+  const Batch of_half_vectors{n_, given.o, given.i, {}}; // g2 too is that of the half vector
+  std::vector<Wanted> wanted, wanted_of_half_vectors;
+  for (std::size_t q = 0; q < results_.size(); ++q) {
+    const auto* info = std::get_if<QuantityInfo>(&plan_.options.quantities[q]);
+    if (info == nullptr) continue;
+    Result& result = results_[q];
+    result.stride = n_;
+    const bool halve = info->needs.i || !given.m;
+    if (plan_.options.single_precision)
+      evaluate(plan_.material, info->quantity, halve ? of_half_vectors : given, result.single.data());
+    else
+      (halve ? wanted_of_half_vectors : wanted).push_back({info->quantity, result.values.data()});
+  }
+  evaluate(plan_.material, wanted, given);
+  evaluate(plan_.material, wanted_of_half_vectors, of_half_vectors);
 }
 
 double StreamEvaluator::value_of(const Result& result, std::size_t index) const {

@@ -39,7 +39,8 @@ private:
   std::exception_ptr read(FieldScanner& scanner, const std::string& text, std::size_t first_line);
   /// The integral of every row of the chunk, up to the first that misses the tolerance: it ends the chunk.
   std::exception_ptr integrate_rows(const IntegralInfo& info, Result& result);
-  void evaluate_rows(const QuantityInfo& info, Result& result) const;
+  /// All quantities with a closed form.
+  void evaluate_rows();
   double value_of(const Result& result, std::size_t index) const;
   /// The last guard: the first row with a value that is no answer ends the chunk.
   std::exception_ptr guard(const QuantityInfo& info, const Result& result);

@@ -8,6 +8,7 @@
 #include <array>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 namespace brdfplot {
 
@@ -22,13 +23,21 @@ struct Side {
   Buffer c, s, u, t; ///< projected area, projected roughness, c / G1, c Lambda
 };
 
+/// What of a block is already there, for the next quantity.
+struct Done {
+  bool viewer = false, light = false, visibility = false, density = false, white = false, reflectances = false;
+};
+
 struct Block {
   std::size_t n = 0;
+  Done done;
   Columns o, i, m;       ///< of the batch, from the first row of the block on; m may be `half`
   bool has_half = false; ///< m is the half vector, which both directions face where it is defined
   Buffer half_x, half_y, half_z;
   Side viewer, light;
   Buffer density, visibility;
+  Buffer white; ///< the BRDF of F = 1, where a kernel computes it whole
+  std::array<Buffer, 3> reflectances;
 };
 
 kernels::Vectors<double> vectors(const Columns& columns) { return {columns.x, columns.y, columns.z}; }
@@ -69,6 +78,7 @@ void halve(Block& block) {
 /// Directions of the block; m is the half vector where none is given but i is, else the normal.
 void load(Block& block, const Batch& batch, std::size_t first) {
   block.n = std::min(block_size, batch.n - first);
+  block.done = {};
   block.o = from_row(batch.o, first);
   block.i = from_row(batch.i, first);
   block.m = from_row(batch.m, first);
@@ -134,8 +144,9 @@ void mask_mixture(const Mixture& mixture, const M& masking, const Block& block, 
   }
 }
 
-/// c, s, u and t of one side. t is 0 and u meaningless where c <= 0.
-void mask(const Material& material, const Block& block, const Columns& omega, Side& side) {
+/// c, s, u and t of one side, unless `done`. t is 0 and u meaningless where c <= 0.
+void mask(const Material& material, const Block& block, const Columns& omega, Side& side, bool& done) {
+  if (std::exchange(done, true)) return;
   const std::size_t n = block.n;
   kernels::project(material.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), n);
   std::visit([&](const auto& distribution, const auto& masking) { mask_by(distribution, masking, block, omega, side); },
@@ -172,8 +183,9 @@ DirectionPair direction_pair(const S& shadowing, const SlopeMap& map, const Dire
 
 /// G2 / (c_o c_i), 0 where it is undefined or a side is hidden.
 void shadow(const Material& material, Block& block) {
-  mask(material, block, block.o, block.viewer);
-  mask(material, block, block.i, block.light);
+  if (std::exchange(block.done.visibility, true)) return;
+  mask(material, block, block.o, block.viewer, block.done.viewer);
+  mask(material, block, block.i, block.light, block.done.light);
   const SlopeMap& map = material.slopes();
   std::visit(
       [&](const auto& shadowing) {
@@ -192,27 +204,39 @@ void shadow(const Material& material, Block& block) {
 }
 
 void normals(const Material& material, Block& block) {
+  if (std::exchange(block.done.density, true)) return;
   std::visit([&](const auto& distribution) { distribution.densities(vectors(block.m), block.density.data(), block.n); },
              material.distribution);
 }
 
-/// Multiplies `value` by F(o.m) into the channels of `out`, n apart.
-void colour(const Material& material, const Block& block, const Buffer& value, std::size_t stride, double* out) {
+/// F(o.m) of every channel.
+void reflect(const Material& material, Block& block) {
+  if (std::exchange(block.done.reflectances, true)) return;
   const auto channels = static_cast<std::size_t>(material.channels());
+  Buffer c;
+  for (std::size_t k = 0; k < block.n; ++k) c[k] = std::clamp(dot(at(block.o, k), at(block.m, k)), 0.0, 1.0);
   std::visit(
       [&](const auto& fresnel) {
-        for (std::size_t k = 0; k < block.n; ++k) {
-          const Rgb f = fresnel.reflectance(std::max(0.0, dot(at(block.o, k), at(block.m, k))));
-          for (std::size_t channel = 0; channel < channels; ++channel)
-            out[channel * stride + k] = value[k] == 0 ? 0 : f[channel] * value[k];
-        }
+        for (std::size_t channel = 0; channel < channels; ++channel)
+          fresnel.reflectances(c.data(), channel, block.reflectances[channel].data(), block.n);
       },
       material.fresnel);
 }
 
+/// Multiplies `value` by F(o.m) into the channels of `out`, n apart.
+void colour(const Material& material, Block& block, const Buffer& value, std::size_t stride, double* out) {
+  reflect(material, block);
+  const auto channels = static_cast<std::size_t>(material.channels());
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    const Buffer& f = block.reflectances[channel];
+    double* const to = out + channel * stride;
+    for (std::size_t k = 0; k < block.n; ++k) to[k] = value[k] == 0 ? 0 : f[k] * value[k];
+  }
+}
+
 /// Quantities of masking alone: lambda, g1, d_visible.
 void evaluate_masking(const Material& material, Quantity quantity, bool has_m, Block& block, double* out) {
-  mask(material, block, block.o, block.viewer);
+  mask(material, block, block.o, block.viewer, block.done.viewer);
   if (quantity == Quantity::d_visible) normals(material, block);
   const Side& v = block.viewer;
   for (std::size_t k = 0; k < block.n; ++k) {
@@ -253,12 +277,15 @@ void evaluate_normal(const Material& material, Quantity quantity, Block& block, 
 void evaluate_whole(const Material& material, const WholeKernel& kernel, Quantity quantity, Block& block,
                     std::size_t stride, double* out) {
   const kernels::Stretch stretch = material.slopes().stretch();
-  Buffer value;
-  kernels::brdf(stretch, kernel.first, kernel.second, vectors(block.o), vectors(block.i), value.data(), block.n);
+  if (!std::exchange(block.done.white, true))
+    kernels::brdf(stretch, kernel.first, kernel.second, vectors(block.o), vectors(block.i), block.white.data(),
+                  block.n);
+  Buffer weighted;
   if (quantity == Quantity::brdf_cos) {
     kernels::project(stretch, vectors(block.i), block.light.c.data(), block.light.s.data(), block.n);
-    for (std::size_t k = 0; k < block.n; ++k) value[k] *= std::max(0.0, block.light.c[k]);
+    for (std::size_t k = 0; k < block.n; ++k) weighted[k] = block.white[k] * std::max(0.0, block.light.c[k]);
   }
+  const Buffer& value = quantity == Quantity::brdf_cos ? weighted : block.white;
   if (std::holds_alternative<NoFresnel>(material.fresnel))
     std::copy_n(value.data(), block.n, out);
   else
@@ -359,43 +386,74 @@ Batch used_by(Quantity quantity, const Batch& batch) {
   return used;
 }
 
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out) {
-  const Batch used = used_by(quantity, batch);
-  require(material, quantities()[static_cast<std::size_t>(quantity)], bool(used.o), bool(used.i), bool(used.m));
-  const bool has_m = used.m || (used.o && used.i);
-  const auto kernel = used.m ? std::nullopt : whole_kernel(material);
-  const auto distribution = used.m ? std::nullopt : smith_kernel(material);
+namespace {
+
+/// Which kernels compute the BRDF of a batch.
+struct BrdfKernels {
+  std::optional<WholeKernel> whole;
+  std::optional<kernels::Distribution> by_heights;
+};
+
+/// One quantity of a block.
+void evaluate_block(const Material& material, const BrdfKernels& kernel, Quantity quantity, const Batch& batch,
+                    Block& block, double* out) {
+  switch (quantity) {
+  case Quantity::lambda:
+  case Quantity::g1:
+  case Quantity::d_visible: return evaluate_masking(material, quantity, batch.m || (batch.o && batch.i), block, out);
+  case Quantity::p22:
+  case Quantity::d:
+  case Quantity::d_cos: return evaluate_normal(material, quantity, block, out);
+  case Quantity::fresnel: {
+    Buffer ones;
+    ones.fill(1);
+    return colour(material, block, ones, batch.n, out);
+  }
+  case Quantity::g2: return evaluate_pair(material, quantity, block, batch.n, out);
+  case Quantity::brdf:
+  case Quantity::brdf_cos: break;
+  }
+  if (material.facet != Facet::specular)
+    evaluate_diffuse(material, quantity, block, out);
+  else if (kernel.whole)
+    evaluate_whole(material, *kernel.whole, quantity, block, batch.n, out);
+  else if (kernel.by_heights)
+    evaluate_by_heights(material, *kernel.by_heights, quantity, block, batch.n, out);
+  else
+    evaluate_pair(material, quantity, block, batch.n, out);
+}
+
+/// Those of `wanted` that are used_by() with a normal, or those without.
+void evaluate_those(const Material& material, std::span<const Wanted> wanted, const Batch& batch, bool with_normal) {
+  const auto is_of_those = [&](Quantity quantity) { return bool(used_by(quantity, batch).m) == with_normal; };
+  Batch used = batch;
+  if (!with_normal) used.m = {};
+  const BrdfKernels kernel = used.m ? BrdfKernels{} : BrdfKernels{whole_kernel(material), smith_kernel(material)};
   Block block;
   for (std::size_t first = 0; first < used.n; first += block_size) {
     load(block, used, first);
-    double* to = out + first;
-    switch (quantity) {
-    case Quantity::lambda:
-    case Quantity::g1:
-    case Quantity::d_visible: evaluate_masking(material, quantity, has_m, block, to); break;
-    case Quantity::p22:
-    case Quantity::d:
-    case Quantity::d_cos: evaluate_normal(material, quantity, block, to); break;
-    case Quantity::fresnel: {
-      Buffer ones;
-      ones.fill(1);
-      colour(material, block, ones, used.n, to);
-      break;
-    }
-    case Quantity::g2: evaluate_pair(material, quantity, block, used.n, to); break;
-    case Quantity::brdf:
-    case Quantity::brdf_cos:
-      if (material.facet != Facet::specular)
-        evaluate_diffuse(material, quantity, block, to);
-      else if (kernel)
-        evaluate_whole(material, *kernel, quantity, block, used.n, to);
-      else if (distribution)
-        evaluate_by_heights(material, *distribution, quantity, block, used.n, to);
-      else
-        evaluate_pair(material, quantity, block, used.n, to);
-      break;
-    }
+    for (const auto& [quantity, out] : wanted)
+      if (is_of_those(quantity)) evaluate_block(material, kernel, quantity, used, block, out + first);
   }
+}
+
+} // namespace
+
+void evaluate(const Material& material, std::span<const Wanted> wanted, const Batch& batch) {
+  bool with_normal = false, without = false;
+  for (const auto& [quantity, out] : wanted) {
+    const Batch used = used_by(quantity, batch);
+    require(material, quantities()[static_cast<std::size_t>(quantity)], bool(used.o), bool(used.i), bool(used.m));
+    (used.m ? with_normal : without) = true;
+  }
+  if (with_normal) evaluate_those(material, wanted, batch, true);
+  if (without) evaluate_those(material, wanted, batch, false);
+}
+
+void evaluate(const Material& material, Quantity quantity, const Batch& batch,
+              double* out) { // NOLINT(readability-non-const-parameter): Wanted has it
+  const Wanted wanted{quantity, out};
+  evaluate(material, std::span(&wanted, 1), batch);
 }
 
 double evaluate(const Material& material, Quantity quantity, const Direction& o, const std::optional<Direction>& i,

@@ -6,6 +6,7 @@
 #include "math/direction.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,16 @@ struct Batch {
 /// \throws InputError when the material has no such quantity (Lambda of V-cavities); AccuracyError when a quadrature
 /// (Lambda, or diffuse facets) misses its accuracy.
 void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out);
+
+/// A quantity, and where its values go.
+struct Wanted {
+  Quantity quantity;
+  double* out;
+};
+
+/// Several quantities at once, to the last bit as one after the other: half vectors, masking, densities and
+/// reflectances are computed once for all that need them.
+void evaluate(const Material& material, std::span<const Wanted> wanted, const Batch& batch);
 
 /// The batch without what `quantity` is no function of: a normal given beside o and i, for brdf and brdf_cos, whose
 /// facets are those of the half vector.

@@ -1,6 +1,7 @@
 #include "microfacet/fresnel.hpp"
 
-#include <algorithm>
+#include "math/kernels/kernels.hpp"
+
 #include <cmath>
 
 namespace brdfplot {
@@ -12,40 +13,24 @@ const Bounds absorptions{.min = 0, .max = 1e6};
 const Bounds exponents{.min = 1e-3, .max = 1e3};
 const Bounds unit_interval{.min = 0, .max = 1};
 
-double square(double x) { return x * x; }
-
 } // namespace
 
 double schlick_reflectance(double c, double f0, double f90, double exponent) {
-  const double grazing = exponent == 5 ? square(square(1 - c)) * (1 - c) : std::pow(1 - c, exponent);
-  return f0 * (1 - grazing) + f90 * grazing;
+  double f = 0;
+  kernels::reflectance_schlick(&c, f0, f90, exponent, &f, 1);
+  return f;
 }
 
 double dielectric_reflectance(double c, double eta) {
-  // eta^2 - sin^2 as a sum of two terms of one sign for eta > 1.
-  const double radicand = (eta - 1) * (eta + 1) + c * c;
-  if (radicand <= 0) return 1;
-  const double g = std::sqrt(radicand); // eta cos theta_t
-  const double perpendicular = (c - g) / (c + g);
-  const double parallel = (eta * eta * c - g) / (eta * eta * c + g);
-  return 0.5 * (square(perpendicular) + square(parallel));
+  double f = 0;
+  kernels::reflectance_dielectric(&c, eta, &f, 1);
+  return f;
 }
 
 double conductor_reflectance(double c, double eta, double k) {
-  const double s2 = (1 - c) * (1 + c);
-  const double t = (eta - k) * (eta + k) - s2;
-  const double w = std::hypot(t, 2 * eta * k);
-  // p = q + i y is the root of t + 2 i eta k with q >= 0; the larger part first, the other by division.
-  const double large = std::sqrt(0.5 * (w + std::fabs(t)));
-  const double small = large > 0 ? eta * k / large : 0;
-  const double q = t >= 0 ? large : small;
-  const double y = t >= 0 ? small : large;
-  const double perpendicular_denominator = square(c + q) + square(y);
-  if (perpendicular_denominator == 0) return 0; // eta = 1, k = 0: no interface
-  const double perpendicular = (square(c - q) + square(y)) / perpendicular_denominator;
-  const double parallel_denominator = square(c * q + s2) + square(c * y);
-  const double parallel = parallel_denominator > 0 ? (square(c * q - s2) + square(c * y)) / parallel_denominator : 1;
-  return 0.5 * perpendicular * (1 + parallel);
+  double f = 0;
+  kernels::reflectance_conductor(&c, eta, k, &f, 1);
+  return f;
 }
 
 ModelSpec SchlickFresnel::spec() {
@@ -68,11 +53,8 @@ SchlickFresnel SchlickFresnel::from(const Values& values) {
   return {values.rgb("f0"), values.rgb("f90"), values.number("exponent"), values.is_rgb("f0") || values.is_rgb("f90")};
 }
 
-Rgb SchlickFresnel::reflectance(double c) const {
-  c = std::min(c, 1.0);
-  Rgb out{};
-  for (std::size_t i = 0; i < 3; ++i) out[i] = schlick_reflectance(c, f0[i], f90[i], exponent);
-  return out;
+void SchlickFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
+  kernels::reflectance_schlick(c, f0[channel], f90[channel], exponent, f, n);
 }
 
 ModelSpec DielectricFresnel::spec() {
@@ -87,9 +69,8 @@ ModelSpec DielectricFresnel::spec() {
 
 DielectricFresnel DielectricFresnel::from(const Values& values) { return {values.rgb("eta"), values.is_rgb("eta")}; }
 
-Rgb DielectricFresnel::reflectance(double c) const {
-  c = std::min(c, 1.0);
-  return {dielectric_reflectance(c, eta[0]), dielectric_reflectance(c, eta[1]), dielectric_reflectance(c, eta[2])};
+void DielectricFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
+  kernels::reflectance_dielectric(c, eta[channel], f, n);
 }
 
 std::optional<double> DielectricFresnel::critical_cosine(std::size_t channel) const {
@@ -120,11 +101,8 @@ std::optional<double> ConductorFresnel::critical_cosine(std::size_t channel) con
   return c2 > 0 && c2 < 1 ? std::optional(std::sqrt(c2)) : std::nullopt;
 }
 
-Rgb ConductorFresnel::reflectance(double c) const {
-  c = std::min(c, 1.0);
-  Rgb out{};
-  for (std::size_t i = 0; i < 3; ++i) out[i] = conductor_reflectance(c, eta[i], k[i]);
-  return out;
+void ConductorFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
+  kernels::reflectance_conductor(c, eta[channel], k[channel], f, n);
 }
 
 } // namespace brdfplot

@@ -1,10 +1,12 @@
 /// \file
-/// Fresnel reflectance of a microfacet, per channel. The list of types is at the end. A type that is not smooth, or
-/// nearly so, declares where (`critical_cosine`), so that integrals can be cut there.
+/// Fresnel reflectance of a microfacet: `reflectances(c, channel, f, n)` sets f to that of one channel at n cosines c
+/// in [0, 1] between direction and facet normal. The list of types is at the end. A type that is not smooth, or nearly
+/// so, declares where (`critical_cosine`), so that integrals can be cut there.
 #pragma once
 
 #include "microfacet/parameters.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <variant>
@@ -18,7 +20,7 @@ struct NoFresnel {
   }
   static NoFresnel from(const Values&) { return {}; }
   bool coloured() const { return false; }
-  Rgb reflectance(double) const { return {1, 1, 1}; }
+  void reflectances(const double*, std::size_t, double* f, std::size_t n) const { std::fill_n(f, n, 1.0); }
 };
 
 /// F = f0 + (f90 - f0) (1 - c)^exponent.
@@ -31,7 +33,7 @@ struct SchlickFresnel {
   static ModelSpec spec();
   static SchlickFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
-  Rgb reflectance(double cos_theta) const;
+  void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
 };
 
 /// Unpolarised reflectance of a smooth dielectric of relative index eta; 1 under total internal reflection (eta < 1).
@@ -42,7 +44,7 @@ struct DielectricFresnel {
   static ModelSpec spec();
   static DielectricFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
-  Rgb reflectance(double cos_theta) const;
+  void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
   /// The cosine up to which reflection is total, sqrt(1 - eta^2) of eta < 1: F falls from 1 like a root there.
   std::optional<double> critical_cosine(std::size_t channel) const;
 };
@@ -56,13 +58,14 @@ struct ConductorFresnel {
   static ModelSpec spec();
   static ConductorFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
-  Rgb reflectance(double cos_theta) const;
+  void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
   /// Where the real part of the squared index is sin^2: for k -> 0 reflection is total up to there, and for small k F
   /// changes within a narrow range about it.
   std::optional<double> critical_cosine(std::size_t channel) const;
 };
 
-/// Reflectance of one channel at the cosine `c` in [0, 1] between direction and facet normal (1).
+/// Reflectance of one channel at the cosine `c` in [0, 1] between direction and facet normal (1), to the last bit that
+/// of the kernels (math/kernels/kernels.hpp).
 double schlick_reflectance(double c, double f0, double f90, double exponent);
 double dielectric_reflectance(double c, double eta);
 double conductor_reflectance(double c, double eta, double k);

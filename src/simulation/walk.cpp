@@ -159,8 +159,10 @@ private:
     if (diffuse_) return 1;
     const double cosine = std::min(facing, 1.0);
     if (facets_ == Facets::dielectric) return dielectric_reflectance(cosine, relative_index(outside));
-    return std::visit([&](const auto& fresnel) { return fresnel.reflectance(cosine)[request_.channel]; },
-                      material_.fresnel);
+    double f = 0;
+    std::visit([&](const auto& fresnel) { fresnel.reflectances(&cosine, request_.channel, &f, 1); },
+               material_.fresnel);
+    return f;
   }
 
   SmithProfile<Shape> profile_;

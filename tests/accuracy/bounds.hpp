@@ -22,9 +22,6 @@ inline constexpr Bound scalar_a_lambda_beckmann{4};
 inline constexpr Bound scalar_a_lambda_ggx{4};
 inline constexpr Bound scalar_sigma_beckmann{4};
 inline constexpr Bound scalar_sigma_ggx{4};
-inline constexpr Bound schlick{8};
-inline constexpr Bound dielectric{8};
-inline constexpr Bound conductor{8};
 
 // Kernels, double.
 inline constexpr Bound projected_area{4};
@@ -41,6 +38,9 @@ inline constexpr Bound d_beckmann{16, 8};
 inline constexpr Bound d_ggx{16};
 inline constexpr Bound brdf_beckmann{16, 8};
 inline constexpr Bound brdf_ggx{16};
+inline constexpr Bound schlick{8};
+inline constexpr Bound dielectric{8};
+inline constexpr Bound conductor{8};
 
 // Evaluation of materials, src/brdf, double.
 inline constexpr Bound p22_beckmann{16, 8};

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <random>
 #include <vector>
 
@@ -107,6 +109,50 @@ TEST_CASE("a row's value depends on that row alone, to the last bit") {
         REQUIRE(out[k] == value(m, info.quantity, os[k], is[k]));
       }
     }
+}
+
+/// Models of every way to compute, among them coloured ones.
+std::vector<Material> materials_of_all_kinds() {
+  auto all = reciprocal_materials();
+  MaterialDescription description = describe("ggx", 0.3);
+  description.fresnel.type = "conductor";
+  description.fresnel.values.set("eta", Rgb{0.14, 0.38, 1.44});
+  description.fresnel.values.set("k", Rgb{3.98, 2.39, 1.60});
+  all.push_back(build(description));
+  all.push_back(build(shadowed(description, "direction_correlated", "fitted")));
+  description.masking.type = "v_cavity";
+  all.push_back(build(description));
+  return all;
+}
+
+TEST_CASE("several quantities at once have the bytes of one at a time") {
+  std::mt19937_64 engine(4);
+  constexpr std::size_t n = 300; // more than one block
+  std::array<std::vector<double>, 9> c;
+  for (std::size_t k = 0; k < 3 * n; ++k) {
+    const std::size_t letter = k % 3;
+    const Direction d = random_direction(engine);
+    c[3 * letter].push_back(d.x), c[3 * letter + 1].push_back(d.y), c[3 * letter + 2].push_back(d.z);
+  }
+  const auto columns = [&](std::size_t k) { return Columns{c[k].data(), c[k + 1].data(), c[k + 2].data()}; };
+  for (const Material& m : materials_of_all_kinds())
+    for (const bool with_normal : {false, true})
+      for (const bool backwards : {false, true}) {
+        const Batch batch{n, columns(0), columns(3), with_normal ? columns(6) : Columns{}};
+        std::vector<std::vector<double>> together(quantities().size(), std::vector<double>(3 * n));
+        std::vector<Wanted> wanted;
+        for (const auto& info : quantities())
+          if (info.quantity != Quantity::lambda || m.has_lambda())
+            wanted.push_back({info.quantity, together[static_cast<std::size_t>(info.quantity)].data()});
+        if (backwards) std::ranges::reverse(wanted);
+        evaluate(m, wanted, batch);
+        for (const auto& [quantity, out] : wanted) {
+          std::vector<double> alone(3 * n);
+          evaluate(m, quantity, batch, alone.data());
+          INFO(m.name << ", " << quantities()[static_cast<std::size_t>(quantity)].name << ", normal " << with_normal);
+          REQUIRE(std::memcmp(alone.data(), out, alone.size() * sizeof(double)) == 0);
+        }
+      }
 }
 
 TEST_CASE("never NaN, never negative, 0 where there is nothing, at the ends of the domain") {

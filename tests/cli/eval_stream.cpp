@@ -35,6 +35,25 @@ TEST_CASE("the number of threads changes no byte") {
   CHECK(check_output(folder, "cat in.csv | " + eval + "-q brdf,g2,lambda --threads 3") == one);
 }
 
+TEST_CASE("quantities asked for together have the values of each asked for alone") {
+  const Folder folder;
+  folder.write("in.csv", "theta_o,theta_i,phi_i,theta_m\n0.3,0.4,2,0.1\n1.2,1.5,0,0.3\n0,0,0,0\n1.5,1.6,1,0\n");
+  // g1 is that of the normal, g2 and the BRDF are those of the half vector.
+  const std::vector<std::string> names = {"g1", "g2", "brdf", "fresnel", "brdf_cos", "d"};
+  const auto ask = [&](const std::string& list) {
+    return cells(check_output(folder, eval + "-q " + list + " -i in.csv"));
+  };
+  const auto together = ask("g1,g2,brdf,fresnel,brdf_cos,d");
+  std::size_t column = 4;
+  for (const std::string& name : names) {
+    const auto alone = ask(name);
+    REQUIRE(alone.size() == together.size());
+    for (std::size_t k = 4; k < alone[0].size(); ++k, ++column)
+      for (std::size_t row = 0; row < alone.size(); ++row) CHECK(together[row][column] == alone[row][k]);
+  }
+  CHECK(column == together[0].size());
+}
+
 TEST_CASE("the number of threads changes no byte of integrals") {
   const Folder folder;
   const std::string some = many_rows().substr(0, 4200);

@@ -43,6 +43,7 @@ TEST_CASE("dielectric reflectance is Fresnel's, with total internal reflection")
   CHECK(dielectric_reflectance(0.5, 1 / 1.5) == 1);
   CHECK(dielectric_reflectance(0.9, 1 / 1.5) < 1);
   CHECK(dielectric_reflectance(0.7, 1.0) == 0);
+  CHECK(dielectric_reflectance(0, 1.0) == 0); // no interface, at grazing too
 }
 
 TEST_CASE("metals reflect at the normal what is published of them") {
@@ -56,6 +57,9 @@ TEST_CASE("Schlick's term runs from f0 to f90") {
   CHECK(schlick_reflectance(0, 0.04, 0.9, 5) == 0.9);
   CHECK(schlick_reflectance(0.25, 0.04, 1, 5) == doctest::Approx(0.04 + 0.96 * std::pow(0.75, 5)).epsilon(1e-15));
   CHECK(schlick_reflectance(0.25, 0.04, 1, 3.5) == doctest::Approx(0.04 + 0.96 * std::pow(0.75, 3.5)).epsilon(1e-15));
+  // 1 - (1 - c)^n without the rounding of 1 - c.
+  CHECK(schlick_reflectance(1e-12, 0.3, 0, 5) == doctest::Approx(0.3 * 5e-12).epsilon(1e-11));
+  CHECK(schlick_reflectance(1e-12, 0.3, 0, 0.5) == doctest::Approx(0.3 * 5e-13).epsilon(1e-11));
   double worst = 0;
   for (int k = 0; k <= 1000; ++k)
     worst = std::max(worst,

@@ -89,6 +89,30 @@ detail::StretchConstants<T> constants_of(const Stretch& stretch) {
   return k;
 }
 
+/// Adds the parts of `terms` up without loss, so that each is what the sum of those before lacks (Ogita, Rump, Oishi
+/// 2005).
+template <std::size_t size>
+void distil(std::array<double, size>& terms) {
+  for (std::size_t pass = 0; pass + 1 < size; ++pass)
+    for (std::size_t j = size - 1; j > 0; --j) {
+      const double sum = terms[j] + terms[j - 1], part = sum - terms[j];
+      terms[j] = (terms[j] - (sum - part)) + (terms[j - 1] - part);
+      terms[j - 1] = sum;
+    }
+}
+
+detail::IndexConstants constants_of(double eta, double absorption) {
+  const double eta2 = eta * eta, k2 = absorption * absorption;
+  std::array<double, 5> above = {-1, eta2, -k2, std::fma(eta, eta, -eta2), -std::fma(absorption, absorption, -k2)};
+  distil(above);
+  const long double n = eta, k = absorption, imaginary = 2 * n * k;
+  const long double contrast = ((n - 1) * (n - 1) + k * k) * ((n + 1) * (n + 1) + k * k);
+  return {{above[0], above[1], above[2]},
+          static_cast<double>(imaginary),
+          static_cast<double>(imaginary * imaginary),
+          static_cast<double>(contrast)};
+}
+
 template <class T>
 void run_project(const Stretch& stretch, Vectors<T> omega, T* c, T* s, std::size_t n) {
   const auto k = constants_of<T, T>(stretch);
@@ -136,6 +160,18 @@ bool use_isa(Isa isa) {
   if (!available(isa)) return false;
   active().store(isa, std::memory_order_relaxed);
   return true;
+}
+
+void reflectance_dielectric(const double* c, double eta, double* f, std::size_t n) {
+  table().fresnel.dielectric(constants_of(eta, 0), c, f, n);
+}
+
+void reflectance_conductor(const double* c, double eta, double k, double* f, std::size_t n) {
+  table().fresnel.conductor(constants_of(eta, k), c, f, n);
+}
+
+void reflectance_schlick(const double* c, double f0, double f90, double exponent, double* f, std::size_t n) {
+  table().fresnel.schlick[exponent == 5]({f0, f90, exponent}, c, f, n);
 }
 
 #define BRDFPLOT_DEFINE(T)                                                                                             \

@@ -1,10 +1,11 @@
 /// \file
-/// Smith masking, microfacet distributions and BRDFs over arrays, exact to a stated bound and fast.
+/// Smith masking, microfacet distributions, BRDFs and reflectances over arrays, exact to a stated bound and fast.
 ///
-/// Structure of arrays, float and double. No allocation, no exceptions, no branch that depends on the data, so that the
-/// compiler turns every loop into vector instructions. One source is compiled for several instruction sets; which one
-/// runs is chosen at run time. The value of an element depends on that element alone, not on n or on its place in the
-/// array: however the work is cut up, the bytes are the same. Between instruction sets the last bits differ.
+/// Structure of arrays, float and double (reflectances: double). No allocation, no exceptions, no branch that depends
+/// on the data, so that the compiler turns every loop into vector instructions. One source is compiled for several
+/// instruction sets; which one runs is chosen at run time. The value of an element depends on that element alone, not
+/// on n or on its place in the array: however the work is cut up, the bytes are the same. Between instruction sets the
+/// last bits differ, unless said otherwise.
 ///
 /// Output arrays must not overlap input arrays. Inputs must be finite. The parameters of a Stretch are rounded to the
 /// type of the arrays first.
@@ -118,6 +119,22 @@ void brdf(const Stretch&, Distribution, Shadowing, Vectors<double> omega_o, Vect
           std::size_t n);
 void brdf(const Stretch&, Distribution, Shadowing, Vectors<float> omega_o, Vectors<float> omega_i, float* value,
           std::size_t n);
+///@}
+
+/// \name Reflectance
+/// Of unpolarised light at the cosines c in [0, 1], in [0, 1].
+///
+/// Dielectric and conductor: (|r_s|^2 + |r_p|^2) / 2 of Fresnel's equations for the relative index eta, or eta + i k,
+/// 1e-6 <= eta <= 1e6, 0 <= k <= 1e6 (Born and Wolf 1999, sections 1.5.2 and 14.2); 1 under total internal reflection
+/// (eta < 1), 0 for an index of 1, at grazing too. For eta = 1, where F is a function of c^2 / k, a k below 1e-140
+/// counts as 0. The same bytes on every instruction set.
+///
+/// Schlick: f0 + (f90 - f0) (1 - c)^exponent (Schlick 1994, Eq. 24), f0 and f90 in [0, 1], 1e-3 <= exponent <= 1e3; an
+/// exponent of 5 is the fastest, and has the same bytes on every instruction set.
+///@{
+void reflectance_dielectric(const double* c, double eta, double* f, std::size_t n);
+void reflectance_conductor(const double* c, double eta, double k, double* f, std::size_t n);
+void reflectance_schlick(const double* c, double f0, double f90, double exponent, double* f, std::size_t n);
 ///@}
 
 /// The instruction sets that the kernels are compiled for, slowest first.

@@ -1,10 +1,12 @@
 /// \file
 /// The kernels for every processor of the architecture; kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE baseline
+#include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
 
 namespace brdfplot::kernels::detail {
 
-constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>()};
+constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>(),
+                                     baseline::fresnel_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -51,9 +51,32 @@ struct Kernels {
   Brdf brdf[2][4][2];    ///< [distribution][shadowing][plain]
 };
 
+/// What the loops need of a relative index n = eta + i k.
+struct IndexConstants {
+  double above[3];          ///< Re(n^2) - 1 as a sum, the largest part first
+  double imaginary;         ///< Im(n^2)
+  double imaginary_squared; ///< its square
+  double contrast;          ///< |n^2 - 1|^2
+};
+
+struct SchlickConstants {
+  double f0, f90, exponent;
+};
+
+/// Reflectances of arrays of cosines.
+struct FresnelKernels {
+  using OfIndex = void (*)(const IndexConstants&, const double*, double*, std::size_t);
+  using Schlick = void (*)(const SchlickConstants&, const double*, double*, std::size_t);
+
+  OfIndex dielectric;
+  OfIndex conductor;
+  Schlick schlick[2]; ///< [the exponent is 5]
+};
+
 struct Table {
   Kernels<double> for_double;
   Kernels<float> for_float;
+  FresnelKernels fresnel;
 };
 
 extern const Table baseline_table;
