@@ -146,11 +146,12 @@ TEST_CASE("several quantities at once have the bytes of one at a time") {
             wanted.push_back({info.quantity, together[static_cast<std::size_t>(info.quantity)].data()});
         if (backwards) std::ranges::reverse(wanted);
         evaluate(m, wanted, batch);
-        for (const auto& [quantity, out] : wanted) {
+        for (const Wanted& one : wanted) {
           std::vector<double> alone(3 * n);
-          evaluate(m, quantity, batch, alone.data());
-          INFO(m.name << ", " << quantities()[static_cast<std::size_t>(quantity)].name << ", normal " << with_normal);
-          REQUIRE(std::memcmp(alone.data(), out, alone.size() * sizeof(double)) == 0);
+          evaluate(m, one.quantity, batch, alone.data());
+          INFO(m.name << ", " << quantities()[static_cast<std::size_t>(one.quantity)].name << ", normal "
+                      << with_normal);
+          REQUIRE(std::memcmp(alone.data(), one.out, alone.size() * sizeof(double)) == 0);
         }
       }
 }
