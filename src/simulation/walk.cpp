@@ -160,8 +160,7 @@ private:
     const double cosine = std::min(facing, 1.0);
     if (facets_ == Facets::dielectric) return dielectric_reflectance(cosine, relative_index(outside));
     double f = 0;
-    std::visit([&](const auto& fresnel) { fresnel.reflectances(&cosine, request_.channel, &f, 1); },
-               material_.fresnel);
+    std::visit([&](const auto& fresnel) { fresnel.reflectances(&cosine, request_.channel, &f, 1); }, material_.fresnel);
     return f;
   }
 
