@@ -210,6 +210,7 @@ private:
   /// r = spread z / (1 - z).
   static constexpr double spread = 2;
   static constexpr double shortest = 0x1p-14; ///< r below which all rays are alike: they see 1e-9 of the mass
+  static constexpr double same_place = 1e-6; ///< of a ray's end: sign changes closer than that have no order
   static constexpr std::size_t most_rays = 20000;
   static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered sector * most_parts + part
 
@@ -259,11 +260,12 @@ private:
     double begin = from;
     double low = probes.front();
     auto below = crossed(low);
-    const auto add = [&](double end, double typical) {
+    const auto add = [&](double end, double last) {
       const std::size_t parts = below.size() / 2 - 1;
       for (std::size_t part = 0; part < parts; ++part)
         all.push_back({0, 1, begin, end, sectors_.size() * most_parts + part});
-      sectors_.push_back(ray(typical));
+      const Ends middle = ray(0.5 * (begin + end)), beside = ray(last);
+      sectors_.push_back(is_like(middle, beside) ? middle : beside);
       begin = end;
     };
     for (const double probe : probes) {
@@ -301,7 +303,7 @@ private:
       End nearest{expected, typical[k].crossed};
       double distance = infinity;
       for (const End& end : own) {
-        if (end.crossed != typical[k].crossed || end.z <= matched_.back().z) continue;
+        if (end.crossed != typical[k].crossed || end.z < matched_.back().z - same_place * own.back().z) continue;
         if (std::fabs(end.z - expected) < distance) nearest = end;
         distance = std::min(distance, std::fabs(end.z - expected));
       }
@@ -320,8 +322,21 @@ private:
     const double end = reach == infinity ? 1 : reach / (spread + reach);
     Ends ends = {{0, f_.switches.size()}, {end, f_.switches.size()}};
     for (std::size_t k = 0; k < f_.switches.size(); ++k) add_sign_changes(k, psi, end, ends);
-    std::ranges::sort(ends, {}, &End::z);
+    put_in_order(ends);
     return rays_.emplace(psi, std::move(ends)).first->second;
+  }
+
+  /// Ascending; those that are one place but for rounding, as the sign changes of two switches with the same zeros are,
+  /// by their switch, so that rays are alike.
+  static void put_in_order(Ends& ends) {
+    std::ranges::sort(ends, {}, &End::z);
+    const double close = same_place * ends.back().z;
+    for (auto from = ends.begin() + 1; from + 1 < ends.end();) {
+      auto to = from + 1;
+      while (to + 1 < ends.end() && to->z - (to - 1)->z <= close) ++to;
+      std::ranges::sort(from, to, {}, &End::crossed);
+      from = to;
+    }
   }
 
   void evaluate_switch(const NormalIntegrand& of, double psi, const std::vector<double>& z) {
