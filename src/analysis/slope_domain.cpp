@@ -210,7 +210,7 @@ private:
   /// r = spread z / (1 - z).
   static constexpr double spread = 2;
   static constexpr double shortest = 0x1p-14; ///< r below which all rays are alike: they see 1e-9 of the mass
-  static constexpr double same_place = 1e-6; ///< of a ray's end: sign changes closer than that have no order
+  static constexpr double same_place = 1e-6;  ///< of a ray's end: sign changes closer than that have no order
   static constexpr std::size_t most_rays = 20000;
   static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered sector * most_parts + part
 
