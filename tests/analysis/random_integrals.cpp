@@ -147,7 +147,7 @@ TEST_CASE("albedos with kinks that are part of a model") {
 
 TEST_CASE("albedos of rays that cross a kink in a narrow range of angles alone") {
   Tally tally;
-  for (const std::uint64_t number : {1975}) tally.add(compare(*random_case(number), fine));
+  for (const std::uint64_t number : {std::uint64_t{1975}}) tally.add(compare(*random_case(number), fine));
   require_all_right(tally);
 }
 
