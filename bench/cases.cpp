@@ -88,7 +88,7 @@ Exact exact_conductor(std::size_t k, double eta, double absorption) {
 std::function<void()> evaluate_conductors(const Value& eta, const Value& absorption) {
   std::vector<Material> materials;
   for (const double alpha : inputs<double>().alpha) {
-    MaterialDescription description;
+    TermDescription description;
     description.distribution.type = "ggx";
     description.distribution.values.set("alpha", alpha);
     description.fresnel.type = "conductor";

@@ -41,7 +41,10 @@ std::vector<Checked> materials_of(const CheckFlags& flags) {
   std::vector<Checked> all;
   for (const auto& file : flags.materials) {
     const auto material = config::load_material(file);
-    all.push_back({file, family_of(material), material.claims, {}, {}});
+    for (auto& family : families_of(material)) {
+      const bool whole = family.material == material.name;
+      all.push_back({file, std::move(family), whole ? material.claims : std::vector<std::string>{}, {}, {}});
+    }
   }
   return all;
 }
@@ -60,7 +63,7 @@ void measure_all(std::vector<Checked>& all, const Settings& settings) {
   std::vector<Task> tasks;
   for (Checked& one : all) {
     const MaterialDescription& first = one.family.members.at(0);
-    one.row = {one.family.material, one.family.label, first.distribution.type, first.masking.type, {}};
+    one.row = row_of(one.family);
     for (const auto& info : properties()) {
       Residual& to = one.row.residuals[info.property];
       tasks.push_back({first.name + ", " + info.name, [&one, &to, property = info.property] {
@@ -110,7 +113,8 @@ std::string place(const Residual& residual, const PropertySearch& search) {
 
 /// A material by itself: a line a property.
 std::string block(const Checked& one, const Paint& paint) {
-  std::string out = one.row.material + ": " + one.row.label + ", masking " + one.row.masking + "\n";
+  std::string out =
+      one.row.material + ": " + one.row.label + (one.row.masking.empty() ? "" : ", masking " + one.row.masking) + "\n";
   for (const auto& info : properties()) {
     const Residual& residual = one.row.residuals.at(info.property);
     const bool applies = residual.verdict != Verdict::not_applicable;

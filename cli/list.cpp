@@ -127,6 +127,19 @@ std::string describe_list(const std::string& title) {
   return out;
 }
 
+std::string describe_terms() {
+  std::string out = "Terms of a BRDF (\"terms\" of a material), each with \"name\" and \"weight\"\n";
+  for (const TermSpec& term : term_specs()) {
+    out += describe(term.spec);
+    if (term.has_surface)
+      out += wrapped("",
+                     std::string("Takes \"distribution\", \"masking\", \"shadowing\"") +
+                         (term.has_fresnel ? ", \"fresnel\"." : "."),
+                     text_column);
+  }
+  return out;
+}
+
 std::string needs_of(const QuantityInfo& info) {
   std::vector<std::string> needs;
   if (info.needs.o) needs.emplace_back("omega_o");
@@ -138,10 +151,10 @@ std::string needs_of(const QuantityInfo& info) {
 std::string describe_quantities() {
   Lines all;
   const auto add = [&](const std::string& name, const std::string& doc, const std::string& needs, bool coloured) {
-    all.lines.emplace_back(name,
-                           doc + "; needs " + needs + (coloured ? "; per channel where the Fresnel term is" : ""));
+    all.lines.emplace_back(name, doc + "; needs " + needs +
+                                     (coloured ? "; per channel where a colour of the material is" : ""));
   };
-  for (const auto& info : quantities()) add(info.name, info.doc, needs_of(info), info.coloured);
+  for (const auto& info : quantities()) add(info.name, info.doc, needs_of(info), info.coloured());
   for (const auto& info : integrals()) add(info.name, info.doc, "omega_o", info.coloured);
   return "Quantities (brdfplot eval -q)\n" + all.aligned(name_column);
 }
@@ -165,6 +178,7 @@ const std::vector<Section>& sections() {
       {"masking", [] { return describe_list<Masking>("Masking functions (\"masking\")"); }},
       {"shadowing", [] { return describe_list<Shadowing>("Masking with shadowing (\"shadowing\")"); }},
       {"fresnel", [] { return describe_list<Fresnel>("Fresnel terms (\"fresnel\")"); }},
+      {"terms", describe_terms},
       {"quantities", describe_quantities},
       {"surfaces", [] { return describe_list<simulation::Surface>("Surfaces (\"surface\" of a scene)"); }},
       {"measures", describe_measures},
@@ -193,7 +207,7 @@ Command add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "Models and quantities, with their parameters and sources");
   command
       ->add_option("section", *wanted,
-                   "distributions, masking, shadowing, fresnel, quantities, surfaces, measures or profiles; "
+                   "distributions, masking, shadowing, fresnel, terms, quantities, surfaces, measures or profiles; "
                    "default: all")
       ->type_name("SECTION");
   command->footer(footer("brdfplot list distributions"));

@@ -17,9 +17,8 @@ using namespace brdfplot;
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-inline MaterialDescription describe(const std::string& distribution, double alpha,
-                                    const std::string& masking = "smith") {
-  MaterialDescription description;
+inline TermDescription describe(const std::string& distribution, double alpha, const std::string& masking = "smith") {
+  TermDescription description;
   description.name = distribution + " with " + masking;
   description.distribution.type = distribution;
   description.distribution.values.set("alpha", alpha);
@@ -32,9 +31,9 @@ inline Material material(const std::string& distribution, double alpha, const st
 }
 
 /// Anisotropic, correlated, with its mesosurface tilted.
-inline MaterialDescription general(const std::string& distribution, double alpha_x, double alpha_y, double correlation,
-                                   Vec2 mean = {0, 0}, const std::string& masking = "smith") {
-  MaterialDescription description;
+inline TermDescription general(const std::string& distribution, double alpha_x, double alpha_y, double correlation,
+                               Vec2 mean = {0, 0}, const std::string& masking = "smith") {
+  TermDescription description;
   description.name = "general " + distribution;
   description.distribution.type = distribution;
   description.distribution.values.set("alpha_x", alpha_x);
@@ -46,15 +45,15 @@ inline MaterialDescription general(const std::string& distribution, double alpha
 }
 
 inline Material gtr(double alpha, double gamma) {
-  MaterialDescription description = describe("gtr", alpha);
+  TermDescription description = describe("gtr", alpha);
   description.distribution.values.set("gamma", gamma);
   return build(description);
 }
 
 /// One distribution with all its parameters, by key.
-inline MaterialDescription distribution(const std::string& type,
-                                        const std::vector<std::pair<std::string, double>>& values) {
-  MaterialDescription description;
+inline TermDescription distribution(const std::string& type,
+                                    const std::vector<std::pair<std::string, double>>& values) {
+  TermDescription description;
   description.name = type;
   description.distribution.type = type;
   for (const auto& [key, value] : values) {
@@ -64,15 +63,15 @@ inline MaterialDescription distribution(const std::string& type,
   return description;
 }
 
-inline MaterialDescription custom(const std::string& shape, double alpha) {
-  MaterialDescription description = describe("custom", alpha);
+inline TermDescription custom(const std::string& shape, double alpha) {
+  TermDescription description = describe("custom", alpha);
   description.distribution.values.set("shape", shape);
   description.name = "custom " + shape;
   return description;
 }
 
-inline MaterialDescription mixture(const WeightedChoices& components) {
-  MaterialDescription description;
+inline TermDescription mixture(const WeightedChoices& components) {
+  TermDescription description;
   description.name = "mixture of " + std::to_string(components.size());
   description.distribution.type = "mixture";
   description.distribution.values.set("components", components);
@@ -80,8 +79,8 @@ inline MaterialDescription mixture(const WeightedChoices& components) {
 }
 
 /// Distributions of every type in the list, ordinary and less so.
-inline std::vector<MaterialDescription> every_distribution() {
-  std::vector<MaterialDescription> all;
+inline std::vector<TermDescription> every_distribution() {
+  std::vector<TermDescription> all;
   for (const double alpha : {0.02, 0.5, 3.0}) {
     for (const auto* type : {"beckmann", "ggx", "velvet", "sheen", "ward", "gaussian"})
       all.push_back(distribution(type, {{"alpha", alpha}}));
@@ -99,7 +98,7 @@ inline std::vector<MaterialDescription> every_distribution() {
   for (const auto& [type, key, value] :
        {std::tuple("beckmann", "", 0.0), std::tuple("ggx", "", 0.0), std::tuple("student_t", "gamma", 2.5),
         std::tuple("exponential_power", "p", 0.5)}) {
-    MaterialDescription description = general(type, 0.2, 0.6, -0.5, {0.2, -0.1});
+    TermDescription description = general(type, 0.2, 0.6, -0.5, {0.2, -0.1});
     if (*key != 0) description.distribution.values.set(key, value);
     all.push_back(description);
   }
@@ -115,8 +114,7 @@ inline std::vector<MaterialDescription> every_distribution() {
   return all;
 }
 
-inline MaterialDescription shadowed(MaterialDescription description, const std::string& type,
-                                    const std::string& lambda = "") {
+inline TermDescription shadowed(TermDescription description, const std::string& type, const std::string& lambda = "") {
   ModelChoice choice{.type = type, .values = {}};
   if (!lambda.empty()) choice.values.set("lambda", lambda);
   description.shadowing = choice;
@@ -143,8 +141,7 @@ inline double g1(const Material& m, const Direction& o) {
 inline double relative(double x, double y) { return x == y ? 0 : std::fabs(x / y - 1); }
 
 /// The same with a masking function that is a formula: of `lambda` or of `g1`.
-inline MaterialDescription with_formula(MaterialDescription description, const std::string& key,
-                                        const std::string& formula) {
+inline TermDescription with_formula(TermDescription description, const std::string& key, const std::string& formula) {
   description.masking = {.type = "custom", .values = {}};
   description.masking.values.set(key, formula);
   return description;

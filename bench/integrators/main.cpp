@@ -36,7 +36,7 @@ std::vector<Case> cases() {
   for (const auto* type : {"beckmann", "ggx"})
     for (const double alpha : {0.01, 0.05, 0.1, 0.5, 1.0})
       for (const double theta : {0.1, 0.8, 1.4, 1.55}) {
-        MaterialDescription description;
+        TermDescription description;
         description.name = type;
         description.distribution.type = type;
         description.distribution.values.set("alpha", alpha);

@@ -42,34 +42,34 @@ std::optional<Swept> swept_parameter(const std::string& type) {
 }
 
 /// Lambda at a = cot theta / alpha in the plane of the x axis.
-double lambda_of(const Material& material, double a) {
-  const double cot_theta = a * material.slopes().alpha_x;
+double lambda_of(const Microsurface& surface, double a) {
+  const double cot_theta = a * surface.slopes().alpha_x;
   const double norm = std::hypot(1.0, cot_theta);
   const double lambda =
-      evaluate(material, Quantity::lambda, Direction{1 / norm, 0, cot_theta / norm}, std::nullopt, std::nullopt);
+      evaluate(surface, Quantity::lambda, Direction{1 / norm, 0, cot_theta / norm}, std::nullopt, std::nullopt);
   if (!is_told(Quantity::lambda, lambda))
-    throw AccuracyError(material.name, "\"lambda\": found " + format_number(lambda) + " at a = " + format_number(a));
+    throw AccuracyError("", "\"lambda\": found " + format_number(lambda) + " at a = " + format_number(a));
   return lambda;
 }
 
-Material unit_material(const MaterialDescription& description, bool shape_invariant) {
-  Material material = build(description);
-  if (shape_invariant) std::visit([](auto& d) { d.slopes = SlopeMap{}; }, material.distribution);
-  return material;
+Microsurface unit_surface(const MicrosurfaceDescription& description, bool shape_invariant) {
+  Microsurface surface = build_microsurface(description);
+  if (shape_invariant) std::visit([](auto& d) { d.slopes = SlopeMap{}; }, surface.distribution);
+  return surface;
 }
 
-void require_lambda(const MaterialDescription& description, const Material& material, bool shape_invariant) {
-  if (!material.has_lambda())
+void require_lambda(const MicrosurfaceDescription& description, const Microsurface& surface, bool shape_invariant) {
+  const SlopeMap& map = surface.slopes();
+  if (!surface.has_lambda())
     throw MaterialError("/masking/type", "found \"" + description.masking.type +
                                              "\", which has no Lambda to fit; accepted: a masking function that has");
-  if (!shape_invariant && !(material.slopes().centred() && material.slopes().alpha_x == material.slopes().alpha_y &&
-                            material.slopes().correlation == 0))
+  if (!shape_invariant && !(map.centred() && map.alpha_x == map.alpha_y && map.correlation == 0))
     throw MaterialError("/distribution", "its Lambda depends on the azimuth by more than a roughness; accepted by fit: "
                                          "isotropic ones, and shape-invariant ones of any anisotropy and slope");
 }
 
 /// A formula of the user must be a function of what the fit is one of.
-void require_formula(const MaterialDescription& description, bool shape_invariant) {
+void require_formula(const MicrosurfaceDescription& description, bool shape_invariant) {
   if (description.masking.type != "custom") return;
   const std::string text = description.masking.values.text("lambda");
   static const std::regex word("[A-Za-z_][A-Za-z_0-9]*");
@@ -84,7 +84,8 @@ void require_formula(const MaterialDescription& description, bool shape_invarian
 }
 
 /// The value that the file gives must be one that the code can be called with.
-void require_in_domain(const MaterialDescription& description, const Swept& swept, const Distribution& distribution) {
+void require_in_domain(const MicrosurfaceDescription& description, const Swept& swept,
+                       const Distribution& distribution) {
   const FitParameter& parameter = swept.parameter;
   const double value = swept.given(distribution);
   if (parameter.contains(value)) return;
@@ -101,7 +102,7 @@ void require_in_domain(const MaterialDescription& description, const Swept& swep
 }
 
 /// The form of shadowing, of which the code must know how to write it.
-void set_shadowing(const MaterialDescription& description, FitTarget& target) {
+void set_shadowing(const MicrosurfaceDescription& description, FitTarget& target) {
   if (!description.shadowing) return;
   target.shadowing = description.shadowing->type;
   const std::vector<std::string> with_factor = {"direction_correlated", "height_direction_correlated"};
@@ -164,12 +165,12 @@ double FitParameter::value(double y) const {
   return std::clamp(q > 0 ? 1 / q - shift : largest, from, std::min(to, largest));
 }
 
-FitTarget fit_target(const MaterialDescription& description, bool fixed) {
-  FitTarget target{.name = description.name,
-                   .type = description.distribution.type,
-                   .masking = description.masking.type,
-                   .lambda_at = {}};
-  const Material given = build(description);
+namespace {
+
+FitTarget target_of(const std::string& name, const TermDescription& description, bool fixed) {
+  FitTarget target{
+      .name = name, .type = description.distribution.type, .masking = description.masking.type, .lambda_at = {}};
+  const Microsurface given = build_microsurface(description);
   const bool shape_invariant = std::visit([](const auto& d) { return d.shape_invariant; }, given.distribution);
   require_lambda(description, given, shape_invariant);
   require_formula(description, shape_invariant);
@@ -182,18 +183,29 @@ FitTarget fit_target(const MaterialDescription& description, bool fixed) {
     target.alpha = swept->alpha;
     target.constants = constants_of(description.distribution, target);
     target.lambda_at = [description, shape_invariant, parameter = swept->parameter](double y) {
-      MaterialDescription changed = description;
+      TermDescription changed = description;
       set_parameter(changed, parameter.key, parameter.value(y));
-      return [material = unit_material(changed, shape_invariant)](double a) { return lambda_of(material, a); };
+      return [surface = unit_surface(changed, shape_invariant)](double a) { return lambda_of(surface, a); };
     };
     return target;
   }
-  const Material material = unit_material(description, shape_invariant);
+  const Microsurface surface = unit_surface(description, shape_invariant);
   target.alpha = shape_invariant ? FitAlpha::argument : FitAlpha::constant;
-  target.alpha_value = material.slopes().alpha_x;
+  target.alpha_value = surface.slopes().alpha_x;
   target.constants = constants_of(description.distribution, target);
-  target.lambda_at = [material](double) { return [material](double a) { return lambda_of(material, a); }; };
+  target.lambda_at = [surface](double) { return [surface](double a) { return lambda_of(surface, a); }; };
   return target;
+}
+
+} // namespace
+
+FitTarget fit_target(const MaterialDescription& description, bool fixed) {
+  const std::size_t index = term_with_surface(description);
+  try {
+    return target_of(description.name, description.terms[index], fixed);
+  } catch (const MaterialError& error) {
+    throw MaterialError(pointer_of_term(description, index) + error.pointer(), error.reason());
+  }
 }
 
 FitSamples sample(const FitTarget& target, std::size_t per_line, std::size_t lines, int threads) {

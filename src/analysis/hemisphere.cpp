@@ -1,7 +1,5 @@
 #include "analysis/hemisphere.hpp"
 
-#include "brdf/diffuse.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,23 +32,14 @@ struct Basis {
   double theta_o = 0;
 };
 
-/// Whether the mirror image at the plane of incidence changes nothing.
-bool symmetric(const Material& material) {
-  const SlopeMap& map = material.slopes();
-  return map.alpha_x == map.alpha_y && map.correlation == 0 && map.centred() &&
-         !std::holds_alternative<CustomMasking>(material.masking);
-}
-
 } // namespace
 
-Estimate integrate_hemisphere(const Material& material, const Direction& omega_o, double tolerance,
-                              const std::function<double(const Direction& omega_i)>& weight) {
-  const SlopeMap& map = material.slopes();
+Estimate integrate_hemisphere(const SlopeMap& map, bool symmetric, const PairFunction& rho, const Direction& omega_o,
+                              double tolerance, const std::function<double(const Direction& omega_i)>& weight) {
   const Basis basis(map, omega_o);
-  const bool halved = symmetric(material);
   const std::array<double, 5> turn = {-pi, -0.5 * pi, 0, 0.5 * pi, pi};
-  const auto phi_cuts = std::span(turn).subspan(halved ? 2 : 0);
-  const double copies = halved ? 2 : 1;
+  const auto phi_cuts = std::span(turn).subspan(symmetric ? 2 : 0);
+  const double copies = symmetric ? 2 : 1;
   // Values are of order 1 / pi over an area of 2 pi: errors of rho c_i add up to less than 2 pi times the largest.
   const Tolerance of_rho{.absolute = 0.01 * tolerance, .relative = std::max(1e-11, 0.02 * tolerance)};
   std::size_t evaluations = 0;
@@ -62,10 +51,10 @@ Estimate integrate_hemisphere(const Material& material, const Direction& omega_o
         const Direction i = basis.direction(theta, phi[k]);
         const double c_i = std::max(0.0, map.project(i).c);
         const double scale = c_i * weight(i) * std::sin(theta);
-        const Estimate rho = facet_brdf(material, omega_o, i, of_rho);
-        y[k] = rho.value * scale;
-        worst_rho = std::max(worst_rho, rho.error * std::fabs(scale));
-        evaluations += rho.evaluations;
+        const Estimate here = rho(i, of_rho);
+        y[k] = here.value * scale;
+        worst_rho = std::max(worst_rho, here.error * std::fabs(scale));
+        evaluations += here.evaluations;
       }
     };
     return integrate(along_phi, phi_cuts, {.absolute = 0.1 * tolerance / copies});

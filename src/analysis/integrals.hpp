@@ -30,7 +30,7 @@ struct IntegralInfo {
   Integral integral;
   std::string name;
   std::string doc;
-  bool coloured;
+  bool coloured; ///< has as many channels as the material
 };
 
 const std::vector<IntegralInfo>& integrals();
@@ -38,19 +38,25 @@ const std::vector<IntegralInfo>& integrals();
 inline constexpr double default_tolerance = 1e-9;
 
 /// An integral at omega_o (unit length). 0 at and below the horizon of the mesosurface. `tolerance` is absolute, for
-/// values of order 1 (projected_area: relative to c_o). `channel` selects red, green or blue of what is coloured.
+/// values of order 1 (projected_area: relative to c_o). `channel` selects red, green or blue of a coloured one.
+/// projected_area, visible_norm and weak_furnace are of a microsurface, the furnace of a term: of the one of this name,
+/// or of the only one; the others are of the material, or of the term that is named.
 /// The estimate's error bounds the true one; weak_furnace_grid has none (0).
+/// \throws InputError where there is no such term, or several
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o,
-                 double tolerance = default_tolerance, int channel = 0);
+                 double tolerance = default_tolerance, int channel = 0, const std::string& term = "");
 
 /// compute() without the short cut: projected_area, visible_norm and weak_furnace of a masking function with a Lambda
 /// are one-dimensional, since G1 does not depend on the normal (see visible_area.hpp); here they are integrated over
 /// the plane of slopes as all the others, which tests the evaluation itself.
 Estimate compute_in_plane(Integral integral, const Material& material, const Direction& omega_o,
-                          double tolerance = default_tolerance, int channel = 0);
+                          double tolerance = default_tolerance, int channel = 0, const std::string& term = "");
 
 /// compute(), or AccuracyError when the error estimate is above the tolerance.
 double compute_or_throw(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
-                        int channel = 0);
+                        int channel = 0, const std::string& term = "");
+
+/// \throws InputError when the material has no such integral: compute()'s reasons.
+void require(const Material& material, const IntegralInfo& info, const std::string& term = "");
 
 } // namespace brdfplot

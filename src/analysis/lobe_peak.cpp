@@ -3,9 +3,9 @@
 #include "brdf/evaluate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 namespace brdfplot {

@@ -42,9 +42,20 @@ bool of_brdf(Property property) { return property == Property::reciprocity || pr
 
 /// Why a property says nothing of any of these materials; nothing where it may.
 std::string why_not_applicable(Property property, const std::vector<MaterialDescription>& family) {
-  const auto fitted = [](const MaterialDescription& m) { return is_fit(build(m).facet); };
-  if (!of_brdf(property) && std::ranges::all_of(family, fitted)) return "the BRDF is a fit, of no microsurface";
-  return {};
+  if (of_brdf(property)) return {};
+  std::size_t most = 0;
+  for (const MaterialDescription& member : family) {
+    const Material material = build(member);
+    const auto count = std::ranges::count_if(material.terms, [](const auto& t) { return t.surface() != nullptr; });
+    if (count == 1) return {};
+    most = std::max(most, static_cast<std::size_t>(count));
+  }
+  return most == 0 ? "the BRDF has no microsurface" : "several microsurfaces, each of which is told by itself";
+}
+
+/// The models of a term, for a row.
+std::string label_of(const TermDescription& term) {
+  return term.distribution.type.empty() ? describe({term.type, term.values}) : describe(term.distribution);
 }
 
 } // namespace
@@ -105,7 +116,7 @@ Residual measure(Property property, const std::vector<MaterialDescription>& fami
   WorstResidual worst(search.tolerance);
   for (const MaterialDescription& member : family) {
     const PropertySubject subject(member);
-    worst.at_alpha(subject.material.slopes().alpha_x);
+    worst.at_alpha(subject.material.mesosurface().alpha_x);
     try {
       test_property(property, subject, search, worst);
     } catch (const AccuracyError&) {
@@ -124,8 +135,19 @@ std::string describe(const ModelChoice& distribution) {
   return distribution.type + (parameters.empty() ? "" : " (" + parameters + ")");
 }
 
-PropertyFamily family_of(const MaterialDescription& material) {
-  return {material.name, describe(material.distribution), {material}};
+std::vector<PropertyFamily> families_of(const MaterialDescription& material) {
+  std::string label;
+  std::vector<PropertyFamily> all;
+  for (const TermDescription& term : material.terms) {
+    label += (label.empty() ? "" : " + ") + label_of(term);
+    if (term.distribution.type.empty()) continue;
+    MaterialDescription alone{material.name, {term}, false};
+    alone.name += ", " + (term.name.empty() ? term.type : term.name);
+    all.push_back({alone.name, label_of(term), {alone}});
+  }
+  if (all.size() == 1) all.clear();
+  all.insert(all.begin(), {material.name, label, {material}});
+  return all;
 }
 
 std::vector<PropertyFamily> families(const PropertyTableDescription& table) {
@@ -133,7 +155,7 @@ std::vector<PropertyFamily> families(const PropertyTableDescription& table) {
   for (const auto& masking : table.maskings)
     for (const auto& distribution : table.distributions) {
       PropertyFamily family{"", describe(distribution), {}};
-      MaterialDescription member;
+      TermDescription member{};
       member.name = family.label + " with " + masking;
       member.distribution = distribution;
       member.masking.type = masking;
@@ -150,9 +172,18 @@ std::vector<PropertyFamily> families(const PropertyTableDescription& table) {
   return all;
 }
 
+PropertyRow row_of(const PropertyFamily& family) {
+  PropertyRow row{family.material, family.label, "", "", {}};
+  for (const TermDescription& term : family.members.at(0).terms) {
+    if (term.distribution.type.empty()) continue;
+    row.distribution += (row.distribution.empty() ? "" : " + ") + term.distribution.type;
+    row.masking += (row.masking.empty() ? "" : " + ") + term.masking.type;
+  }
+  return row;
+}
+
 PropertyRow measure(const PropertyFamily& family, const std::vector<Property>& which, const PropertySearch& search) {
-  const MaterialDescription& first = family.members.at(0);
-  PropertyRow row{family.material, family.label, first.distribution.type, first.masking.type, {}};
+  PropertyRow row = row_of(family);
   for (const Property property : which) row.residuals[property] = measure(property, family.members, search);
   return row;
 }

@@ -23,7 +23,7 @@ enum class Property {
   g1_normal,          ///< G1 -> 1 at the normal
   stretch_invariance, ///< a stretched configuration has the same G1 (section 5.1)
   reciprocity,        ///< rho(o, i) = rho(i, o)
-  energy,             ///< the white furnace, Eq. 34 with F = 1, is at most 1
+  energy,             ///< the white furnace, Eq. 34 with F = 1, is at most 1; of several terms, their albedo
 };
 
 struct PropertyInfo {
@@ -111,11 +111,14 @@ struct PropertyFamily {
 /// "gtr (gamma 1.5)": a distribution with the parameters that were given.
 std::string describe(const ModelChoice& distribution);
 
-/// A material by itself.
-PropertyFamily family_of(const MaterialDescription& material);
+/// A material by itself; where several of its terms have a microsurface, each of these by itself too.
+std::vector<PropertyFamily> families_of(const MaterialDescription& material);
 
 /// All rows of a table, masking functions outermost, as the paper orders them.
 std::vector<PropertyFamily> families(const PropertyTableDescription& table);
+
+/// The row of a family before it is measured.
+PropertyRow row_of(const PropertyFamily& family);
 
 PropertyRow measure(const PropertyFamily& family, const std::vector<Property>& which, const PropertySearch& search);
 

@@ -30,10 +30,13 @@ private:
 /// A material with what its tests vary.
 struct PropertySubject {
   explicit PropertySubject(const MaterialDescription& from);
+  PropertySubject(const PropertySubject&) = delete;
+  PropertySubject& operator=(const PropertySubject&) = delete;
 
   MaterialDescription description;
   Material material;
-  std::vector<double> azimuths; ///< of the viewer: 0 alone where the material is isotropic
+  const Microsurface* surface = nullptr; ///< the only one; null where there is none or are several
+  std::vector<double> azimuths;          ///< of the viewer: 0 alone where the material is isotropic
 
   /// The direction at polar angles about the normal of the mesosurface, after the shear that levels it (Heitz 2014,
   /// section 5.5): c is cos theta times the length.

@@ -2,9 +2,9 @@
 /// Integration over the normals in scaled slope coordinates u = (u_1, u_2), aligned with the viewer.
 #pragma once
 
-#include "brdf/material.hpp"
 #include "math/direction.hpp"
 #include "math/quadrature.hpp"
+#include "microfacet/slopes.hpp"
 
 #include <array>
 #include <functional>

@@ -19,20 +19,13 @@ namespace {
 constexpr std::size_t block_size = std::size_t{256} << 10;
 constexpr std::size_t integral_block_size = std::size_t{1} << 10;
 
-std::string name_of(const StreamQuantity& quantity) {
-  return std::visit([](const auto& info) { return info.name; }, quantity);
-}
-
-bool is_integral(const StreamQuantity& quantity) { return std::holds_alternative<IntegralInfo>(quantity); }
-
 std::vector<std::string> output_names(const StreamPlan& plan) {
   std::vector<std::string> names;
   for (const auto& quantity : plan.options.quantities) {
-    const std::string name = name_of(quantity);
     if (plan.channels_of(quantity) == 1)
-      names.push_back(name);
+      names.push_back(quantity.name);
     else
-      for (const char* channel : {"_r", "_g", "_b"}) names.push_back(name + channel);
+      for (const char* channel : {"_r", "_g", "_b"}) names.push_back(quantity.name + channel);
   }
   return names;
 }
@@ -43,10 +36,10 @@ void require_columns(const StreamPlan& plan, const std::string& where) {
   Material placed = plan.material;
   placed.name = where; // require() names the material as the place
   for (const auto& quantity : plan.options.quantities) {
-    if (const auto* info = std::get_if<QuantityInfo>(&quantity))
-      require(placed, *info, plan.columns.has(o), plan.columns.has(i), plan.columns.has(m));
+    if (const auto* info = quantity.closed_form())
+      require(placed, *info, plan.columns.has(o), plan.columns.has(i), plan.columns.has(m), quantity.term);
     else if (!plan.columns.has(o))
-      throw InputError(where, "\"" + name_of(quantity) + "\" needs omega_o: theta_o [phi_o] or x_o y_o z_o");
+      throw InputError(where, "\"" + quantity.name + "\" needs omega_o: theta_o [phi_o] or x_o y_o z_o");
   }
   for (const auto& name : output_names(plan))
     if (std::ranges::find(plan.columns.names(), name) != plan.columns.names().end())
@@ -142,28 +135,34 @@ private:
 } // namespace
 
 std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& names, const std::string& where) {
-  std::vector<StreamQuantity> all(quantities().begin(), quantities().end());
-  all.insert(all.end(), integrals().begin(), integrals().end());
-  std::vector<std::string> known(all.size());
-  std::ranges::transform(all, known.begin(), name_of);
+  std::vector<StreamQuantity> all;
+  for (const auto& info : quantities()) all.push_back({info.name, "", info});
+  for (const auto& info : integrals()) all.push_back({info.name, "", info});
+  std::vector<std::string> known;
+  for (const auto& quantity : all) known.push_back(quantity.name);
   std::vector<StreamQuantity> selected;
   for (const auto& name : names) {
     if (std::ranges::count(names, name) > 1)
       throw InputError(where, "quantity \"" + echo(name) + "\" is asked for twice");
-    const auto found = std::ranges::find(known, name);
-    if (found == known.end()) throw InputError(where, unknown_name("quantity", name, known));
-    selected.push_back(all[static_cast<std::size_t>(found - known.begin())]);
+    const std::size_t dot = name.rfind('.');
+    const std::string quantity = dot == std::string::npos ? name : name.substr(dot + 1);
+    const auto found = std::ranges::find(all, quantity, &StreamQuantity::name);
+    if (found == all.end()) throw InputError(where, unknown_name("quantity", name, known));
+    selected.push_back({name, dot == std::string::npos ? "" : name.substr(0, dot), found->info});
   }
   return selected;
 }
 
 void evaluate_stream(const Material& material, const StreamOptions& options, InputFile& in, OutputFile& out) {
   for (const auto& quantity : options.quantities)
-    if (const auto* info = std::get_if<QuantityInfo>(&quantity)) require(material, *info, true, true, true);
-  const auto integral = std::ranges::find_if(options.quantities, is_integral);
+    if (const auto* info = quantity.closed_form())
+      require(material, *info, true, true, true, quantity.term);
+    else
+      require(material, *quantity.integral(), quantity.term);
+  const auto integral = std::ranges::find_if(options.quantities, [](const auto& q) { return q.integral() != nullptr; });
   const bool slow = integral != options.quantities.end();
   if (slow && options.single_precision)
-    throw InputError("--precision", "found \"single\" with the integral \"" + name_of(*integral) +
+    throw InputError("--precision", "found \"single\" with the integral \"" + integral->name +
                                         "\"; accepted: double, or quantities with a closed form only");
   RowReader reader(in, slow ? integral_block_size : block_size);
   std::string header = reader.header();

@@ -12,10 +12,17 @@
 namespace brdfplot {
 
 /// A quantity with a closed form, or an integral at omega_o.
-using StreamQuantity = std::variant<QuantityInfo, IntegralInfo>;
+struct StreamQuantity {
+  std::string name; ///< as it was asked for: "g1", or "coat.g1" of one term
+  std::string term; ///< none: of the material, or its only term
+  std::variant<QuantityInfo, IntegralInfo> info;
 
-/// What quantities() and integrals() offer, by name. \throws InputError at `where` for an unknown name, or one that is
-/// there twice.
+  const QuantityInfo* closed_form() const { return std::get_if<QuantityInfo>(&info); }
+  const IntegralInfo* integral() const { return std::get_if<IntegralInfo>(&info); }
+};
+
+/// What quantities() and integrals() offer, by name, after the name of a term or without. \throws InputError at `where`
+/// for an unknown name, or one that is there twice.
 std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& names, const std::string& where);
 
 struct StreamOptions {

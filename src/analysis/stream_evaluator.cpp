@@ -20,7 +20,8 @@ constexpr std::size_t chunk_size = 1024;
 } // namespace
 
 int StreamPlan::channels_of(const StreamQuantity& quantity) const {
-  return std::visit([](const auto& info) { return info.coloured; }, quantity) ? material.channels() : 1;
+  if (const auto* info = quantity.closed_form()) return brdfplot::channels_of(material, info->quantity, quantity.term);
+  return quantity.integral()->coloured ? brdfplot::channels_of(material, Quantity::brdf, quantity.term) : 1;
 }
 
 StreamEvaluator::StreamEvaluator(const StreamPlan& plan) : plan_(plan), rows_(chunk_size), lines_(chunk_size) {
@@ -43,12 +44,12 @@ std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out)
     failure = read(scanner, block.text, block.first_line);
     // Integrals first: they may end the chunk before its last row.
     for (std::size_t q = 0; q < quantities.size(); ++q)
-      if (const auto* info = std::get_if<IntegralInfo>(&quantities[q]))
-        if (auto missed = integrate_rows(*info, results_[q])) failure = std::move(missed);
+      if (quantities[q].integral() != nullptr)
+        if (auto missed = integrate_rows(quantities[q], results_[q])) failure = std::move(missed);
     evaluate_rows();
     for (std::size_t q = 0; q < quantities.size(); ++q)
-      if (const auto* info = std::get_if<QuantityInfo>(&quantities[q]))
-        if (auto untold = guard(*info, results_[q])) failure = std::move(untold);
+      if (quantities[q].closed_form() != nullptr)
+        if (auto untold = guard(quantities[q], results_[q])) failure = std::move(untold);
     append_rows(out);
   }
   return failure;
@@ -78,7 +79,7 @@ std::exception_ptr StreamEvaluator::read(FieldScanner& scanner, const std::strin
   return nullptr;
 }
 
-std::exception_ptr StreamEvaluator::integrate_rows(const IntegralInfo& info, Result& result) {
+std::exception_ptr StreamEvaluator::integrate_rows(const StreamQuantity& quantity, Result& result) {
   const Columns o = columns_of(Letter::o);
   for (std::size_t r = 0; r < n_; ++r) {
     const bool as_before = r > 0 && o.x[r] == o.x[r - 1] && o.y[r] == o.y[r - 1] && o.z[r] == o.z[r - 1];
@@ -90,8 +91,8 @@ std::exception_ptr StreamEvaluator::integrate_rows(const IntegralInfo& info, Res
       }
       throw_if_interrupted();
       try {
-        value = compute_or_throw(info.integral, plan_.material, {o.x[r], o.y[r], o.z[r]}, plan_.options.tolerance,
-                                 static_cast<int>(k));
+        value = compute_or_throw(quantity.integral()->integral, plan_.material, {o.x[r], o.y[r], o.z[r]},
+                                 plan_.options.tolerance, static_cast<int>(k), quantity.term);
       } catch (const AccuracyError& error) {
         n_ = r;
         return std::make_exception_ptr(AccuracyError(where(lines_[r]), error.what()));
@@ -106,15 +107,16 @@ void StreamEvaluator::evaluate_rows() {
   const Batch of_half_vectors{n_, given.o, given.i, {}}; // g2 too is that of the half vector
   std::vector<Wanted> wanted, wanted_of_half_vectors;
   for (std::size_t q = 0; q < results_.size(); ++q) {
-    const auto* info = std::get_if<QuantityInfo>(&plan_.options.quantities[q]);
+    const StreamQuantity& quantity = plan_.options.quantities[q];
+    const QuantityInfo* info = quantity.closed_form();
     if (info == nullptr) continue;
     Result& result = results_[q];
     result.stride = n_;
     const bool halve = info->needs.i || !given.m;
     if (plan_.options.single_precision)
-      evaluate(plan_.material, info->quantity, halve ? of_half_vectors : given, result.single.data());
+      evaluate(plan_.material, info->quantity, halve ? of_half_vectors : given, result.single.data(), quantity.term);
     else
-      (halve ? wanted_of_half_vectors : wanted).push_back({info->quantity, result.values.data()});
+      (halve ? wanted_of_half_vectors : wanted).push_back({info->quantity, result.values.data(), quantity.term});
   }
   evaluate(plan_.material, wanted, given);
   evaluate(plan_.material, wanted_of_half_vectors, of_half_vectors);
@@ -124,16 +126,17 @@ double StreamEvaluator::value_of(const Result& result, std::size_t index) const 
   return plan_.options.single_precision ? static_cast<double>(result.single[index]) : result.values[index];
 }
 
-std::exception_ptr StreamEvaluator::guard(const QuantityInfo& info, const Result& result) {
+std::exception_ptr StreamEvaluator::guard(const StreamQuantity& quantity, const Result& result) {
   for (std::size_t r = 0; r < n_; ++r)
     for (std::size_t k = 0; k < result.channels; ++k) {
       const double value = value_of(result, k * result.stride + r);
       // What is beyond float's range the kernels give as its largest number.
       const bool beyond = plan_.options.single_precision && value == std::numeric_limits<float>::max();
-      if (is_told(info.quantity, value) && !beyond) continue;
+      if (is_told(quantity.closed_form()->quantity, value) && !beyond) continue;
       n_ = r;
-      return std::make_exception_ptr(AccuracyError(
-          where(lines_[r]), "\"" + info.name + "\": found " + format_number(value) + ", accepted: a finite number"));
+      return std::make_exception_ptr(
+          AccuracyError(where(lines_[r]),
+                        "\"" + quantity.name + "\": found " + format_number(value) + ", accepted: a finite number"));
     }
   return nullptr;
 }

@@ -38,12 +38,12 @@ private:
   /// Reads a chunk of rows, up to the first that is wrong: it is what is returned.
   std::exception_ptr read(FieldScanner& scanner, const std::string& text, std::size_t first_line);
   /// The integral of every row of the chunk, up to the first that misses the tolerance: it ends the chunk.
-  std::exception_ptr integrate_rows(const IntegralInfo& info, Result& result);
+  std::exception_ptr integrate_rows(const StreamQuantity& quantity, Result& result);
   /// All quantities with a closed form.
   void evaluate_rows();
   double value_of(const Result& result, std::size_t index) const;
   /// The last guard: the first row with a value that is no answer ends the chunk.
-  std::exception_ptr guard(const QuantityInfo& info, const Result& result);
+  std::exception_ptr guard(const StreamQuantity& quantity, const Result& result);
   void append_value(std::string& out, const Result& result, std::size_t index) const;
   void append_rows(std::string& out) const;
   std::string where(std::size_t line) const { return plan_.file + ":" + std::to_string(line); }

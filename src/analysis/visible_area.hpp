@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/slope_domain.hpp"
+#include "microfacet/distributions.hpp"
 
 namespace brdfplot {
 

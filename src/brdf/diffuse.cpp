@@ -1,9 +1,8 @@
 #include "brdf/diffuse.hpp"
 
 #include "brdf/components.hpp"
-#include "brdf/evaluate.hpp"
 #include "brdf/facing_normals.hpp"
-#include "brdf/oren_nayar.hpp"
+#include "brdf/surface_quantities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +17,7 @@ namespace {
 /// evaluate() of normals that share the other directions.
 class AtNormals {
 public:
-  explicit AtNormals(const Material& material) : material_(material) {}
+  explicit AtNormals(const Microsurface& surface) : surface_(surface) {}
 
   /// Into `out`, one value a normal; `o` and `i` where the quantity needs them.
   void operator()(Quantity quantity, const Direction* o, const Direction* i, const std::vector<Direction>& normals,
@@ -28,7 +27,7 @@ public:
     if (o != nullptr) fill(o_, n, [&](std::size_t) { return *o; });
     if (i != nullptr) fill(i_, n, [&](std::size_t) { return *i; });
     out.resize(n);
-    evaluate(material_, quantity,
+    evaluate(surface_, quantity,
              {n, o != nullptr ? view(o_) : Columns{}, i != nullptr ? view(i_) : Columns{}, view(m_)}, out.data());
   }
 
@@ -47,7 +46,7 @@ private:
   }
   static Columns view(const Arrays& arrays) { return {arrays[0].data(), arrays[1].data(), arrays[2].data()}; }
 
-  const Material& material_;
+  const Microsurface& surface_;
   Arrays o_, i_, m_;
 };
 
@@ -56,9 +55,9 @@ Direction mean_normal(const SlopeMap& map) { return normalized({-map.mean_x, -ma
 using Weight = std::function<void(const std::vector<Direction>& normals, std::vector<double>& weights)>;
 
 /// int D(m) g(m) dm over the normals that face the directions, component by component.
-Estimate integrate_density(const Material& material, std::span<const Direction> directions, bool kinked,
+Estimate integrate_density(const Microsurface& surface, std::span<const Direction> directions, bool kinked,
                            const Weight& g, const Tolerance& tolerance) {
-  const auto parts = components(material.distribution);
+  const auto parts = components(surface.distribution);
   const Tolerance of_part{tolerance.absolute / static_cast<double>(parts.size()), tolerance.relative};
   Estimate sum;
   std::vector<double> density;
@@ -104,16 +103,16 @@ double light_on_facet(const Direction& m) {
 
 } // namespace
 
-Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
+Estimate diffuse_brdf(const Microsurface& surface, const Direction& omega_o, const Direction& omega_i,
                       const Tolerance& tolerance) {
-  const SlopeMap& map = material.slopes();
+  const SlopeMap& map = surface.slopes();
   const double c_o = map.project(omega_o).c;
   const double c_i = map.project(omega_i).c;
   if (!(c_o > 0 && c_i > 0)) return {};
-  AtNormals at(material);
+  AtNormals at(surface);
   std::vector<double> g2;
   // With a Lambda, G2 is one number for all normals that face both; the mean normal does.
-  const bool constant = material.has_lambda();
+  const bool constant = surface.has_lambda();
   if (constant) at(Quantity::g2, &omega_o, &omega_i, {mean_normal(map)}, g2);
   const double scale = (constant ? g2[0] / c_o / c_i : 1 / c_o / c_i) * std::numbers::inv_pi;
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
@@ -125,51 +124,34 @@ Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const 
     }
   };
   const std::array<Direction, 2> both = {omega_o, omega_i};
-  return integrate_density(material, both, !constant, integrand, tolerance);
+  return integrate_density(surface, both, !constant, integrand, tolerance);
 }
 
-Estimate facet_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
-                    const Tolerance& tolerance) {
-  const auto fitted = [&](OrenNayarFit fit) -> Estimate {
-    if (!(omega_o.z > 0 && omega_i.z > 0)) return {};
-    const double value =
-        oren_nayar_brdf(fit, std::get<OrenNayar>(material.distribution).profile.sigma, omega_o, omega_i);
-    return {value, 1e-14 * (std::fabs(value) + 1), 1};
-  };
-  switch (material.facet) {
-  case Facet::oren_nayar: return fitted(OrenNayarFit::full);
-  case Facet::oren_nayar_direct: return fitted(OrenNayarFit::direct);
-  case Facet::oren_nayar_qualitative: return fitted(OrenNayarFit::qualitative);
-  default: return diffuse_brdf(material, omega_o, omega_i, tolerance);
-  }
-}
-
-Estimate diffuse_weak_furnace(const Material& material, const Direction& omega_o, double tolerance) {
-  const double c_o = material.slopes().project(omega_o).c;
-  AtNormals at(material);
+Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omega_o, double tolerance) {
+  const double c_o = surface.slopes().project(omega_o).c;
+  AtNormals at(surface);
   std::vector<double> g1;
   // With a Lambda, G1 is one number for all normals that face the viewer; the mean normal does.
-  const bool constant = material.has_lambda();
-  if (constant) at(Quantity::g1, &omega_o, nullptr, {mean_normal(material.slopes())}, g1);
+  const bool constant = surface.has_lambda();
+  if (constant) at(Quantity::g1, &omega_o, nullptr, {mean_normal(surface.slopes())}, g1);
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
     out.resize(m.size());
     if (!constant) at(Quantity::g1, &omega_o, nullptr, m, g1);
     for (std::size_t k = 0; k < m.size(); ++k)
       out[k] = g1[constant ? 0 : k] * std::max(0.0, dot(omega_o, m[k])) / c_o * light_on_facet(m[k]);
   };
-  Estimate estimate =
-      integrate_density(material, std::span(&omega_o, 1), !constant, integrand, {.absolute = tolerance});
+  Estimate estimate = integrate_density(surface, std::span(&omega_o, 1), !constant, integrand, {.absolute = tolerance});
   // At grazing o.m is a difference of terms that are rounded.
   estimate.error += 4 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) / c_o;
   return estimate;
 }
 
-Estimate ground_area(const Material& material, double tolerance) {
+Estimate ground_area(const Microsurface& surface, double tolerance) {
   const auto cosine = [](const std::vector<Direction>& m, std::vector<double>& out) {
     out.resize(m.size());
     for (std::size_t k = 0; k < m.size(); ++k) out[k] = m[k].z;
   };
-  return integrate_density(material, {}, false, cosine, {.absolute = tolerance});
+  return integrate_density(surface, {}, false, cosine, {.absolute = tolerance});
 }
 
 } // namespace brdfplot

@@ -2,9 +2,9 @@
 /// Facets that reflect diffusely (Heitz 2014, section 3.2).
 #pragma once
 
-#include "brdf/material.hpp"
 #include "math/direction.hpp"
 #include "math/quadrature.hpp"
+#include "microfacet/microsurface.hpp"
 
 namespace brdfplot {
 
@@ -12,20 +12,15 @@ namespace brdfplot {
 /// albedo 1, single scattering, any distribution and any G2; c is the projected area of the mesosurface (cos theta when
 /// centred). By quadrature over the normals that face both. 0 where c_o <= 0 or c_i <= 0.
 /// The estimate's error bounds the true one; default: a relative error of 1e-10.
-Estimate diffuse_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
+Estimate diffuse_brdf(const Microsurface& surface, const Direction& omega_o, const Direction& omega_i,
                       const Tolerance& tolerance = {.relative = 1e-10});
-
-/// rho(o, i) of a material whose facets are no mirrors: diffuse_brdf(), or the fit that its `facet` names, with its
-/// rounding.
-Estimate facet_brdf(const Material& material, const Direction& omega_o, const Direction& omega_i,
-                    const Tolerance& tolerance = {.relative = 1e-10});
 
 /// Eq. 37, the weak white furnace test for diffuse facets: 1 / (pi c_o) int int <o,m> <i,m> G1(o, m) D(m) dm di over
 /// all directions i, which for every m are taken around m. 1 for a masking function that is physically based.
 /// Domain c_o > 0. `tolerance` is absolute.
-Estimate diffuse_weak_furnace(const Material& material, const Direction& omega_o, double tolerance);
+Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omega_o, double tolerance);
 
 /// int (m.g) D(m) dm (Heitz 2014, Eq. 9): 1 for a distribution of normals. `tolerance` is absolute.
-Estimate ground_area(const Material& material, double tolerance);
+Estimate ground_area(const Microsurface& surface, double tolerance);
 
 } // namespace brdfplot

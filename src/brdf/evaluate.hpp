@@ -3,92 +3,61 @@
 #pragma once
 
 #include "brdf/material.hpp"
-#include "math/direction.hpp"
+#include "brdf/surface_block.hpp"
+#include "brdf/surface_quantities.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace brdfplot {
 
-enum class Quantity { lambda, p22, d, d_cos, g1, g2, d_visible, fresnel, brdf, brdf_cos };
+/// How many channels a quantity has.
+int channels_of(const Material& material, Quantity quantity, const std::string& term = "");
 
-/// Which directions a quantity is a function of.
-struct Needs {
-  bool o = false;
-  bool i = false;
-  bool m = false; ///< where i is given the half vector serves for it
-};
-
-struct QuantityInfo {
-  Quantity quantity;
-  std::string name;
-  std::string doc;
-  Needs needs;
-  bool coloured; ///< has as many channels as the material
-};
-
-/// All quantities with a closed form, in the order of `Quantity`.
-const std::vector<QuantityInfo>& quantities();
-
-/// Directions as three arrays of n; null pointers: not given.
-struct Columns {
-  const double* x = nullptr;
-  const double* y = nullptr;
-  const double* z = nullptr;
-  explicit operator bool() const { return x != nullptr; }
-};
-
-/// n rows of unit vectors (for `m`: within rounding; the half vector of o and i where it is not given).
-struct Batch {
-  std::size_t n = 0;
-  Columns o, i, m;
-};
-
-/// Writes channel k of row r to out[k * n + r]. What is computed, with c the projected area of the mesosurface (cos
-/// theta when centred), by Heitz 2014:
-///   lambda    Lambda(o), Eqs. 69, 72; infinity at and below the horizon of the mesosurface (c <= 0)
-///   p22       slope density at the slope of m, Eqs. 67-95
-///   d, d_cos  D(m) of Eq. 64 (1/sr), and cos theta_m D(m)
-///   g1        G1(o, m), Eqs. 43, 49, 55-60; without m, where the masking function has a Lambda, of facing normals
-///   g2        G2(o, i, m), Eqs. 98-101
-///   d_visible D_o(m), Eq. 16
-///   fresnel   F(o.m)
-///   brdf      F D(h) G2(o, i, h) / (4 c_o c_i), Eq. 29 (1/sr); of diffuse facets Eq. 31, by quadrature (diffuse.hpp)
-///             with a relative error below 1e-9
-///   brdf_cos  brdf times c_i
-/// brdf and brdf_cos do not look at m. phi_o - phi_i is 0 where one of them is at the normal, which has no azimuth.
-/// Where c_o <= 0 or c_i <= 0, o.m <= 0, z_m <= 0 or the half vector is undefined (i = -o): 0, never NaN or infinity
-/// (but `brdf` with shadowing `none` grows like 1 / c_i towards the horizon).
-/// Any n. The value of a row depends on that row alone, to the last bit.
-/// \throws InputError when the material has no such quantity (Lambda of V-cavities); AccuracyError when a quadrature
-/// (Lambda, or diffuse facets) misses its accuracy.
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out);
+/// Writes channel k of row r to out[k * n + r]. What is computed, by what has it:
+///   a microsurface  the quantities of surface_quantities.hpp: of the term of this name, or of the only one that has a
+///                   microsurface
+///   its facets      fresnel: F(o.m) of a term that has one
+///   the material    brdf, the sum of its terms times their weights (1/sr), and brdf_cos, times c_i, the projected area
+///                   of the mesosurface; with a name of that term alone. They do not look at m.
+/// 0 where a direction is at or below the horizon of the mesosurface, never NaN or infinity (but `brdf` of a mirror
+/// with shadowing `none` grows like 1 / c_i towards the horizon). Any n. The value of a row depends on that row alone,
+/// to the last bit.
+/// \throws InputError when the material has no such quantity; AccuracyError when a quadrature (Lambda, or diffuse
+/// facets) misses its accuracy.
+void evaluate(const Material& material, Quantity quantity, const Batch& batch, double* out,
+              const std::string& term = "");
 
 /// A quantity, and where its values go.
 struct Wanted {
   Quantity quantity;
   double* out;
+  std::string term{};
 };
 
 /// Several quantities at once, to the last bit as one after the other: half vectors, masking, densities and
 /// reflectances are computed once for all that need them.
 void evaluate(const Material& material, std::span<const Wanted> wanted, const Batch& batch);
 
-/// The batch without what `quantity` is no function of: a normal given beside o and i, for brdf and brdf_cos, whose
-/// facets are those of the half vector.
-Batch used_by(Quantity quantity, const Batch& batch);
-
-/// Whether `value` can be one of `quantity`: finite, or the infinite lambda at and below the horizon. The last guard of
-/// all that prints values.
-bool is_told(Quantity quantity, double value);
-
 /// One row; the first channel.
 double evaluate(const Material& material, Quantity quantity, const Direction& o, const std::optional<Direction>& i,
                 const std::optional<Direction>& m);
 
+/// Writes rho of one term, or rho c_i, without its weight: channel k of row r to out[k * n + r].
+template <class T>
+void evaluate_term(const T& term, bool times_cosine, const Batch& batch, double* out) {
+  SurfaceBlock work;
+  for (std::size_t first = 0; first < batch.n; first += PairBlock::capacity) {
+    const std::size_t n = std::min(PairBlock::capacity, batch.n - first);
+    set_directions(work, n, batch.o.from(first), batch.i.from(first), {});
+    term.evaluate({n, work.o, work.i, times_cosine}, work, rows_from(out, first, batch.n, term.channels()));
+  }
+}
+
 /// \throws InputError when `quantity` cannot be had from `material` with the directions given: which one is missing.
-void require(const Material& material, const QuantityInfo& info, bool has_o, bool has_i, bool has_m);
+void require(const Material& material, const QuantityInfo& info, bool has_o, bool has_i, bool has_m,
+             const std::string& term = "");
 
 } // namespace brdfplot

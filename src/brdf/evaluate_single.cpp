@@ -36,23 +36,22 @@ struct Call {
 
 /// The call that computes `quantity`, where there are float kernels for it: for Beckmann and GGX, of lambda and g1 with
 /// Smith masking, of d, and of the BRDF with F = 1 and a form of shadowing that has a kernel.
-std::optional<Call> call_for(const Material& material, Quantity quantity, const Batch& batch) {
+std::optional<Call> call_for(const Microsurface& surface, bool whole_brdf, Quantity quantity, const Batch& batch) {
   const auto call = [&](std::optional<Distribution> distribution) -> std::optional<Call> {
     if (!distribution) return std::nullopt;
-    return Call{material.slopes().stretch(), *distribution, kernels::Shadowing::none};
+    return Call{surface.slopes().stretch(), *distribution, kernels::Shadowing::none};
   };
   const bool half_vector = !batch.m && batch.i;
   switch (quantity) {
-  case Quantity::lambda: return call(smith_kernel(material));
-  case Quantity::g1: return half_vector ? std::nullopt : call(smith_kernel(material));
+  case Quantity::lambda: return call(smith_kernel(surface));
+  case Quantity::g1: return half_vector ? std::nullopt : call(smith_kernel(surface));
   case Quantity::d:
-  case Quantity::d_cos: return half_vector ? std::nullopt : call(density_kernel(material));
+  case Quantity::d_cos: return half_vector ? std::nullopt : call(density_kernel(surface));
   case Quantity::brdf:
   case Quantity::brdf_cos: {
-    const auto whole = whole_kernel(material);
-    if (!whole || material.facet != Facet::specular || !std::holds_alternative<NoFresnel>(material.fresnel))
-      return std::nullopt;
-    return Call{material.slopes().stretch(), whole->first, whole->second};
+    const auto whole = whole_kernel(surface);
+    if (!whole || !whole_brdf) return std::nullopt;
+    return Call{surface.slopes().stretch(), whole->first, whole->second};
   }
   default: return std::nullopt;
   }
@@ -95,20 +94,36 @@ void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t fi
   for (std::size_t k = 0; k < n; ++k) out[k] *= std::max(0.0F, c[k]);
 }
 
+/// Whether a term is all of its microsurface: mirrors with F = 1.
+bool is_white(const WeightedTerm& term) {
+  const Fresnel* fresnel = term.fresnel();
+  return fresnel != nullptr && std::holds_alternative<NoFresnel>(*fresnel) && term.weight.value == Rgb{1, 1, 1} &&
+         term.channels() == 1;
+}
+
+/// The call that computes a quantity of a material, where there is one.
+std::optional<Call> call_for(const Material& material, Quantity quantity, const Batch& batch, const std::string& term) {
+  const Owner owner = info_of(quantity).owner;
+  if (owner == Owner::fresnel) return std::nullopt;
+  if (owner == Owner::microsurface) return call_for(material.surface(term), false, quantity, batch);
+  const auto terms = terms_of(material, term);
+  if (terms.size() > 1 || !is_white(*terms[0])) return std::nullopt;
+  return call_for(*terms[0]->surface(), true, quantity, batch);
+}
+
 } // namespace
 
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out) {
+void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out, const std::string& term) {
   const Batch used = used_by(quantity, batch);
-  const QuantityInfo& info = quantities()[static_cast<std::size_t>(quantity)];
-  require(material, info, bool(used.o), bool(used.i), bool(used.m));
-  if (const auto call = call_for(material, quantity, used)) {
+  require(material, info_of(quantity), bool(used.o), bool(used.i), bool(used.m), term);
+  if (const auto call = call_for(material, quantity, used, term)) {
     for (std::size_t first = 0; first < used.n; first += block_size)
       run(*call, quantity, used, first, std::min(block_size, used.n - first), out + first);
     return;
   }
-  const auto channels = static_cast<std::size_t>(info.coloured ? material.channels() : 1);
+  const auto channels = static_cast<std::size_t>(channels_of(material, quantity, term));
   std::vector<double> values(used.n * channels);
-  evaluate(material, quantity, used, values.data());
+  evaluate(material, quantity, used, values.data(), term);
   std::ranges::transform(values, out, [](double value) { return static_cast<float>(value); });
 }
 

@@ -12,6 +12,7 @@ namespace brdfplot {
 /// a = c / s, which e^(-a^2) magnifies 2 a^2 times. The rounding of the directions is no part of that bound: of the
 /// BRDF it is up to 2^-22 (1 + 1 / (alpha cos theta)) within two alpha of the lobe's middle, while that is below 0.1,
 /// and beyond that there is no bound. Otherwise it is the double one, rounded.
-void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out);
+void evaluate(const Material& material, Quantity quantity, const Batch& batch, float* out,
+              const std::string& term = "");
 
 } // namespace brdfplot

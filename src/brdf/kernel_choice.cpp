@@ -2,7 +2,7 @@
 
 namespace brdfplot {
 
-std::optional<kernels::Distribution> density_kernel(const Material& material) {
+std::optional<kernels::Distribution> density_kernel(const Microsurface& surface) {
   return std::visit(
       []<class D>(const D&) -> std::optional<kernels::Distribution> {
         if constexpr (requires { D::UnitShape::kernel; })
@@ -10,17 +10,17 @@ std::optional<kernels::Distribution> density_kernel(const Material& material) {
         else
           return std::nullopt;
       },
-      material.distribution);
+      surface.distribution);
 }
 
-std::optional<kernels::Distribution> smith_kernel(const Material& material) {
-  const auto* smith = std::get_if<Smith>(&material.masking);
+std::optional<kernels::Distribution> smith_kernel(const Microsurface& surface) {
+  const auto* smith = std::get_if<Smith>(&surface.masking);
   if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return std::nullopt;
-  return density_kernel(material);
+  return density_kernel(surface);
 }
 
-std::optional<WholeKernel> whole_kernel(const Material& material) {
-  const auto distribution = smith_kernel(material);
+std::optional<WholeKernel> whole_kernel(const Microsurface& surface) {
+  const auto distribution = smith_kernel(surface);
   if (!distribution) return std::nullopt;
   return std::visit(
       [&]<class S>(const S&) -> std::optional<WholeKernel> {
@@ -29,7 +29,7 @@ std::optional<WholeKernel> whole_kernel(const Material& material) {
         else
           return std::nullopt;
       },
-      material.shadowing);
+      surface.shadowing);
 }
 
 } // namespace brdfplot

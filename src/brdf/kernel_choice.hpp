@@ -1,9 +1,9 @@
 /// \file
-/// Which batch kernels compute a material.
+/// Which batch kernels compute what of a microsurface.
 #pragma once
 
-#include "brdf/material.hpp"
 #include "math/kernels/kernels.hpp"
+#include "microfacet/microsurface.hpp"
 
 #include <optional>
 #include <utility>
@@ -11,14 +11,14 @@
 namespace brdfplot {
 
 /// The kernel of the distribution of normals, where there is one.
-std::optional<kernels::Distribution> density_kernel(const Material& material);
+std::optional<kernels::Distribution> density_kernel(const Microsurface& surface);
 
 /// The same where masking is Smith's, with the Lambda of the distribution itself.
-std::optional<kernels::Distribution> smith_kernel(const Material& material);
+std::optional<kernels::Distribution> smith_kernel(const Microsurface& surface);
 
 using WholeKernel = std::pair<kernels::Distribution, kernels::Shadowing>;
 
 /// The kernel that computes the whole BRDF but its Fresnel term, where there is one.
-std::optional<WholeKernel> whole_kernel(const Material& material);
+std::optional<WholeKernel> whole_kernel(const Microsurface& surface);
 
 } // namespace brdfplot

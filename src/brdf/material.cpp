@@ -1,6 +1,6 @@
 #include "brdf/material.hpp"
 
-#include "microfacet/registry.hpp"
+#include "math/number.hpp"
 
 #include <algorithm>
 
@@ -8,34 +8,77 @@ namespace brdfplot {
 
 namespace {
 
-template <class List>
-List make(const std::string& section, const ModelChoice& choice) {
-  auto made = make_model<List>(choice);
-  if (const auto* error = std::get_if<ParameterError>(&made))
-    throw MaterialError("/" + section + (error->key.empty() ? "" : "/" + error->key), error->what);
-  return std::get<List>(std::move(made));
+template <class T>
+TermSpec term_spec() {
+  return {T::spec(), requires(const T& t){t.surface;
+}
+, requires(const T& t) { t.fresnel; }
+}; // namespace
+} // namespace brdfplot
+
+/// Calls f<T>() with the type of term that `type` names.
+template <class Function>
+void with_type(const std::string& type, const Function& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    const auto& specs = term_specs();
+    (void)((specs[I].spec.type == type ? (f.template operator()<std::variant_alternative_t<I, BrdfTerm>>(), true)
+                                       : false) ||
+           ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<BrdfTerm>>{});
 }
 
-std::string default_shadowing(const Masking& masking) {
-  if (std::holds_alternative<VCavity>(masking)) return "minimum";
-  return std::visit([](const auto& m) { return m.has_lambda; }, masking) ? "height_correlated" : "separable";
+const TermSpec& spec_of(const std::string& type) {
+  const auto& specs = term_specs();
+  const auto found = std::ranges::find_if(specs, [&](const TermSpec& s) { return s.spec.type == type; });
+  if (found != specs.end()) return *found;
+  std::vector<std::string> names;
+  for (const TermSpec& spec : specs) names.push_back(spec.spec.type);
+  throw MaterialError("/type", unknown_name("type", type, names));
 }
 
-Facet make_facet(const MaterialDescription& description) {
-  const auto& names = facet_names();
-  const auto found = std::ranges::find(names, description.facet);
-  if (found == names.end()) throw MaterialError("/facet", unknown_name("value", description.facet, names));
-  const auto facet = static_cast<Facet>(found - names.begin());
-  if (facet != Facet::specular && description.fresnel.type != "none")
-    throw MaterialError("/fresnel/type", "found \"" + description.fresnel.type + "\" beside \"facet\": \"" +
-                                             description.facet + "\"; accepted: none");
-  return facet;
+std::string name_of(const TermDescription& term) { return term.name.empty() ? term.type : term.name; }
+
+Colour weight_of(const TermDescription& description) {
+  const auto* rgb = std::get_if<Rgb>(&description.weight);
+  const Rgb value = rgb != nullptr ? *rgb
+                                   : Rgb{std::get<double>(description.weight), std::get<double>(description.weight),
+                                         std::get<double>(description.weight)};
+  constexpr double most = 1e6;
+  for (const double w : value)
+    if (!(w >= 0 && w <= most))
+      throw MaterialError("/weight", "found " + format_number(w) + ", accepted: a number in [0, 1e+06]");
+  return {value, rgb != nullptr};
+}
+
+WeightedTerm build_term(const TermDescription& description) {
+  const TermSpec& spec = spec_of(description.type);
+  if (!spec.has_surface && !description.distribution.type.empty())
+    throw MaterialError("/distribution", "found one in a term \"" + description.type + "\", which has no microsurface");
+  if (!spec.has_fresnel && description.fresnel.type != "none")
+    throw MaterialError("/fresnel/type", "found \"" + description.fresnel.type + "\" in a term \"" + description.type +
+                                             "\"; accepted: none");
+  WeightedTerm made{name_of(description), weight_of(description), {}};
+  with_type(description.type, [&]<class T>() { made.term = T::from(description); });
+  return made;
+}
+
+void require_one_mesosurface(const Material& material) {
+  const SlopeMap& of_all = material.mesosurface();
+  for (const WeightedTerm& term : material.terms) {
+    const Microsurface* surface = term.surface();
+    const SlopeMap own = surface != nullptr ? surface->slopes() : SlopeMap{};
+    if (own.mean_x != of_all.mean_x || own.mean_y != of_all.mean_y)
+      throw MaterialError("/terms", "found a mean slope of (" + format_number(of_all.mean_x) + ", " +
+                                        format_number(of_all.mean_y) + ") and one of (" + format_number(own.mean_x) +
+                                        ", " + format_number(own.mean_y) + ") in \"" + term.name +
+                                        "\"; accepted: the same for all terms");
+  }
 }
 
 /// Sets `key` in `choice` if the model that it names has it.
-template <class List>
-bool set_in(ModelChoice& choice, const std::string& key, double value) {
-  for (const ModelSpec& spec : specs_of<List>()) {
+bool set_in(const std::vector<ModelSpec>& specs, ModelChoice& choice, const std::string& key, double value) {
+  for (const ModelSpec& spec : specs) {
     if (spec.type != choice.type || spec.find(key) == nullptr) continue;
     Values kept;
     const auto in = [](const std::vector<std::string>& group, const std::string& k) {
@@ -58,104 +101,173 @@ bool set_in(ModelChoice& choice, const std::string& key, double value) {
   return false;
 }
 
+/// The values of a term as a choice, for set_in().
+bool set_own(TermDescription& description, const std::string& key, double value) {
+  if (key == "weight") {
+    description.weight = value;
+    return true;
+  }
+  ModelChoice own{description.type, description.values};
+  if (!set_in({spec_of(description.type).spec}, own, key, value)) return false;
+  description.values = own.values;
+  return true;
+}
+
+void append_numbers(const std::vector<ModelSpec>& specs, const std::string& type, const std::string& prefix,
+                    std::vector<std::string>& names) {
+  for (const ModelSpec& spec : specs)
+    if (spec.type == type)
+      for (const ParameterSpec& parameter : spec.parameters)
+        if (parameter.kind == ParameterKind::number || parameter.kind == ParameterKind::number_or_rgb)
+          names.push_back(prefix + parameter.key);
+}
+
 } // namespace
 
-const std::vector<std::string>& facet_names() {
-  static const std::vector<std::string> names = {"specular", "diffuse", "oren_nayar", "oren_nayar_direct",
-                                                 "oren_nayar_qualitative"};
-  return names;
+const std::vector<TermSpec>& term_specs() {
+  static const std::vector<TermSpec> all = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::vector<TermSpec>{term_spec<std::variant_alternative_t<I, BrdfTerm>>()...};
+  }
+  (std::make_index_sequence<std::variant_size_v<BrdfTerm>>{});
+  return all;
+}
+
+int WeightedTerm::channels() const {
+  return weight.is_rgb ? 3 : std::visit([](const auto& t) { return t.channels(); }, term);
+}
+
+const Microsurface* WeightedTerm::surface() const {
+  return std::visit(
+      [](const auto& t) -> const Microsurface* {
+        if constexpr (requires { t.surface; })
+          return &t.surface;
+        else
+          return nullptr;
+      },
+      term);
+}
+
+const Fresnel* WeightedTerm::fresnel() const {
+  return std::visit(
+      [](const auto& t) -> const Fresnel* {
+        if constexpr (requires { t.fresnel; })
+          return &t.fresnel;
+        else
+          return nullptr;
+      },
+      term);
 }
 
 int Material::channels() const {
-  return std::visit([](const auto& f) { return f.coloured(); }, fresnel) ? 3 : 1;
+  return std::ranges::any_of(terms, [](const WeightedTerm& t) { return t.channels() > 1; }) ? 3 : 1;
 }
 
-bool Material::has_lambda() const {
-  return std::visit([](const auto& m) { return m.has_lambda; }, masking);
+const SlopeMap& Material::mesosurface() const {
+  static const SlopeMap flat;
+  for (const WeightedTerm& term : terms)
+    if (const Microsurface* surface = term.surface()) return surface->slopes();
+  return flat;
 }
 
-const SlopeMap& Material::slopes() const {
-  return std::visit([](const auto& d) -> const SlopeMap& { return d.slopes; }, distribution);
+const WeightedTerm& Material::term_with_surface(const std::string& term) const {
+  std::string names;
+  const WeightedTerm* found = nullptr;
+  std::size_t count = 0;
+  for (const WeightedTerm& one : terms) {
+    if (one.surface() == nullptr) continue;
+    names += (names.empty() ? "" : ", ") + one.name;
+    if (!term.empty() && one.name != term) continue;
+    found = &one;
+    ++count;
+  }
+  if (count == 1) return *found;
+  if (names.empty()) throw InputError(name, "none of its terms has a microsurface");
+  if (term.empty())
+    throw InputError(name, "several terms have a microsurface; accepted: TERM. before the name, of " + names);
+  throw InputError(name, "no term \"" + term + "\" with a microsurface; accepted: " + names);
 }
 
-namespace {
+const Microsurface& Material::surface(const std::string& term) const { return *term_with_surface(term).surface(); }
 
-/// A published fit is for one distribution alone.
-void require_own_distribution(const MaterialDescription& description, const Distribution& distribution,
-                              const Masking& masking) {
-  std::visit(
-      [&]<class M>(const M&) {
-        if constexpr (requires { typename M::FitsOnly; })
-          if (!std::holds_alternative<typename M::FitsOnly>(distribution))
-            throw MaterialError("/masking/type", "\"" + description.masking.type +
-                                                     "\" is a fit for the distribution \"" + M::FitsOnly::spec().type +
-                                                     "\" alone, found \"" + description.distribution.type +
-                                                     "\"; accepted with any: smith");
-      },
-      masking);
+std::vector<const WeightedTerm*> terms_of(const Material& material, const std::string& name) {
+  std::vector<const WeightedTerm*> terms;
+  for (const WeightedTerm& term : material.terms)
+    if (name.empty() || term.name == name) terms.push_back(&term);
+  if (!terms.empty()) return terms;
+  std::vector<std::string> names;
+  for (const WeightedTerm& term : material.terms) names.push_back(term.name);
+  throw InputError(material.name, unknown_name("term", name, names));
 }
 
-template <class D>
-bool has_infinite_mean_slope(const D& distribution) {
-  if constexpr (requires { distribution.parts; })
-    return std::ranges::any_of(distribution.parts, [](const auto& part) {
-      return std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, part.distribution);
-    });
-  else
-    return requires { distribution.profile.infinite_mean_slope; };
+std::string pointer_of_term(const MaterialDescription& description, std::size_t index) {
+  return description.listed ? "/terms/" + std::to_string(index) : "";
 }
 
-void require_finite_lambda(const Distribution& distribution, const Masking& masking) {
-  const auto* smith = std::get_if<Smith>(&masking);
-  if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return;
-  if (std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, distribution))
-    throw MaterialError("/masking/type", "\"smith\" has an infinite Lambda with this distribution, whose mean slope is "
-                                         "infinite (\"oren_nayar\"); accepted with any: v_cavity");
+std::size_t term_with_surface(const MaterialDescription& description) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < description.terms.size(); ++k)
+    if (!description.terms[k].distribution.type.empty()) found.push_back(k);
+  if (found.size() == 1) return found[0];
+  throw MaterialError(description.listed ? "/terms" : "",
+                      found.empty() ? "found no term with a microsurface; accepted: one"
+                                    : "found several terms with a microsurface; accepted: one");
 }
-
-/// Oren and Nayar fitted one microsurface.
-void require_cavities(const Material& material) {
-  if (!is_fit(material.facet)) return;
-  if (std::holds_alternative<OrenNayar>(material.distribution) && std::holds_alternative<VCavity>(material.masking) &&
-      std::holds_alternative<Minimum>(material.shadowing))
-    return;
-  throw MaterialError("/facet", "\"" + facet_names()[static_cast<std::size_t>(material.facet)] +
-                                    "\" is a fit for the distribution \"oren_nayar\", the masking \"v_cavity\" and the "
-                                    "shadowing \"minimum\" alone; accepted with any: specular, diffuse");
-}
-
-} // namespace
 
 Material build(const MaterialDescription& description) {
-  auto distribution = make<Distribution>("distribution", description.distribution);
-  const auto masking = make<Masking>("masking", description.masking);
-  require_own_distribution(description, distribution, masking);
-  require_finite_lambda(distribution, masking);
-  const ModelChoice shadowing_choice = description.shadowing.value_or(ModelChoice{.type = default_shadowing(masking)});
-  const auto shadowing = make<Shadowing>("shadowing", shadowing_choice);
-  const bool has_lambda = std::visit([](const auto& m) { return m.has_lambda; }, masking);
-  const bool needs_lambda = std::visit([](const auto& s) { return s.needs_lambda; }, shadowing);
-  if (needs_lambda && !has_lambda)
-    throw MaterialError("/shadowing/type", "\"" + shadowing_choice.type +
-                                               "\" needs a masking function with a Lambda, and \"" +
-                                               description.masking.type +
-                                               "\" has none; accepted: none, separable, minimum, direction_correlated");
-  Material material{description.name,
-                    std::move(distribution),
-                    masking,
-                    shadowing,
-                    make<Fresnel>("fresnel", description.fresnel),
-                    make_facet(description)};
-  require_cavities(material);
+  Material material{description.name, {}};
+  for (std::size_t k = 0; k < description.terms.size(); ++k) {
+    const std::string place = pointer_of_term(description, k);
+    try {
+      material.terms.push_back(build_term(description.terms[k]));
+    } catch (const MaterialError& error) {
+      throw MaterialError(place + error.pointer(), error.reason());
+    }
+    const std::string& own = material.terms.back().name;
+    if (std::ranges::count(material.terms, own, &WeightedTerm::name) > 1)
+      throw MaterialError(place + "/name", "found \"" + own + "\" twice; accepted: a name of its own for each term");
+  }
+  if (material.terms.empty()) throw MaterialError("/terms", "found none; accepted: one or more");
+  require_one_mesosurface(material);
   return material;
 }
 
-void set_parameter(MaterialDescription& description, const std::string& key, double value) {
-  if (set_in<Distribution>(description.distribution, key, value)) return;
-  if (set_in<Masking>(description.masking, key, value)) return;
-  if (description.shadowing && set_in<Shadowing>(*description.shadowing, key, value)) return;
-  if (set_in<Fresnel>(description.fresnel, key, value)) return;
+Material build(const TermDescription& term) { return build(MaterialDescription(term)); }
+
+void set_parameter(TermDescription& description, const std::string& key, double value) {
+  const TermSpec& spec = spec_of(description.type);
+  if (spec.has_surface && set_in(specs_of<Distribution>(), description.distribution, key, value)) return;
+  if (spec.has_surface && set_in(specs_of<Masking>(), description.masking, key, value)) return;
+  if (spec.has_surface && description.shadowing && set_in(specs_of<Shadowing>(), *description.shadowing, key, value))
+    return;
+  if (spec.has_fresnel && set_in(specs_of<Fresnel>(), description.fresnel, key, value)) return;
+  if (set_own(description, key, value)) return;
   throw MaterialError("/distribution", "no model of this material has a parameter \"" + key + "\"");
+}
+
+void set_parameter(MaterialDescription& description, const std::string& key, double value) {
+  if (description.terms.size() == 1 && !description.listed) return set_parameter(description.terms[0], key, value);
+  const std::size_t dot = key.find('.');
+  for (TermDescription& term : description.terms)
+    if (dot != std::string::npos && name_of(term) == key.substr(0, dot))
+      return set_parameter(term, key.substr(dot + 1), value);
+  throw MaterialError("/terms", unknown_name("parameter", key, parameter_keys(description)));
+}
+
+std::vector<std::string> parameter_keys(const MaterialDescription& description) {
+  std::vector<std::string> names;
+  for (const TermDescription& term : description.terms) {
+    const std::string prefix = description.listed ? name_of(term) + "." : "";
+    const TermSpec& spec = spec_of(term.type);
+    if (spec.has_surface) {
+      append_numbers(specs_of<Distribution>(), term.distribution.type, prefix, names);
+      append_numbers(specs_of<Masking>(), term.masking.type, prefix, names);
+      if (term.shadowing) append_numbers(specs_of<Shadowing>(), term.shadowing->type, prefix, names);
+    }
+    if (spec.has_fresnel) append_numbers(specs_of<Fresnel>(), term.fresnel.type, prefix, names);
+    append_numbers({spec.spec}, term.type, prefix, names);
+    names.push_back(prefix + "weight");
+  }
+  return names;
 }
 
 } // namespace brdfplot

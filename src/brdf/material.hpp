@@ -1,83 +1,87 @@
 /// \file
-/// A material: a distribution of normals, a masking function, the joint masking-shadowing and a Fresnel term.
+/// A material: a sum of weighted terms.
 #pragma once
 
-#include "math/errors.hpp"
-#include "microfacet/distributions.hpp"
-#include "microfacet/fresnel.hpp"
-#include "microfacet/masking.hpp"
-#include "microfacet/shadowing.hpp"
+#include "brdf/terms.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace brdfplot {
 
-/// How a facet reflects.
-enum class Facet {
-  specular,               ///< a mirror (Heitz 2014, Eq. 29)
-  diffuse,                ///< Lambertian with albedo 1 (Eq. 31); see diffuse.hpp
-  oren_nayar,             ///< as diffuse, in V-cavities, by the full fit of Oren and Nayar 1994; see oren_nayar.hpp
-  oren_nayar_direct,      ///< by its part for single scattering
-  oren_nayar_qualitative, ///< by their simpler fit
-};
-
-/// Whether the BRDF is a published fit, which uses no microsurface.
-constexpr bool is_fit(Facet facet) { return facet != Facet::specular && facet != Facet::diffuse; }
-
-/// The names of `Facet`, in its order.
-const std::vector<std::string>& facet_names();
-
 /// A material as data: names and parameters, not yet checked. Figures sweep its parameters.
 struct MaterialDescription {
+  MaterialDescription() = default;
+  MaterialDescription(std::string of_name, std::vector<TermDescription> of_terms, bool as_list)
+      : name(std::move(of_name)), terms(std::move(of_terms)), listed(as_list) {}
+  /// A material of one term, which gives it its name.
+  MaterialDescription(const TermDescription& term) : name(term.name), terms{term} {} // NOLINT(*-explicit-*)
+
   std::string name;
-  ModelChoice distribution;
-  ModelChoice masking{.type = "smith"};
-  std::optional<ModelChoice> shadowing; ///< none given: default_shadowing of the masking function
-  ModelChoice fresnel{.type = "none"};
-  std::string facet = "specular";
-  std::vector<std::string> claims{}; ///< properties that it is said to have (see analysis/properties.hpp)
+  std::vector<TermDescription> terms;
+  bool listed = false;             ///< written as a list "terms", which places of errors then name
+  std::vector<std::string> claims; ///< properties that it is said to have (see analysis/properties.hpp)
 };
 
-/// A material that can be evaluated (see evaluate.hpp).
+/// A term and what it is multiplied by.
+struct WeightedTerm {
+  std::string name;
+  Colour weight;
+  BrdfTerm term;
+
+  int channels() const;
+  /// The microsurface that it is derived from; null: none.
+  const Microsurface* surface() const;
+  const Fresnel* fresnel() const;
+};
+
+/// A material that can be evaluated (see evaluate.hpp). Its terms lie on one mesosurface.
 struct Material {
   std::string name;
-  Distribution distribution;
-  Masking masking;
-  Shadowing shadowing;
-  Fresnel fresnel;
-  Facet facet = Facet::specular;
+  std::vector<WeightedTerm> terms;
 
-  /// 3 when the Fresnel term is given per channel, else 1.
+  /// 3 where a weight, a colour or a Fresnel term is given per channel, else 1.
   int channels() const;
-  /// Whether masking is written with a Lambda, independent of the normal.
-  bool has_lambda() const;
-  const SlopeMap& slopes() const;
+  /// c = z - x mean_x - y mean_y of it is what all terms mean by cos theta.
+  const SlopeMap& mesosurface() const;
+  /// The term that has a microsurface, or the one of this name. \throws InputError when there is none or are several:
+  /// which names may be given.
+  const WeightedTerm& term_with_surface(const std::string& term = "") const;
+  const Microsurface& surface(const std::string& term = "") const;
 };
 
-/// What is wrong with a material, at a JSON pointer within it ("/distribution/alpha").
-class MaterialError : public InputError {
-public:
-  MaterialError(std::string pointer, std::string what)
-      : InputError("material: " + pointer, what), pointer_(std::move(pointer)), what_(std::move(what)) {}
-  const std::string& pointer() const { return pointer_; }
-  const std::string& reason() const { return what_; }
+/// The terms that count: all, or the one of this name. \throws InputError when there is none.
+std::vector<const WeightedTerm*> terms_of(const Material& material, const std::string& name);
 
-private:
-  std::string pointer_;
-  std::string what_;
+/// What a list of terms knows of one of its types before one is made.
+struct TermSpec {
+  ModelSpec spec;
+  bool has_surface = false; ///< takes distribution, masking and shadowing
+  bool has_fresnel = false;
 };
 
-/// Builds a material. Shadowing defaults to `height_correlated` where the masking function has a Lambda, to `minimum`
-/// for `v_cavity`, and to `separable` for those that are defined by a product (Heitz 2014, Eqs. 55, 58). A diffuse
-/// facet has no Fresnel term; the fits of Oren and Nayar are for the V-cavities of the distribution `oren_nayar` alone.
-/// \throws MaterialError
+/// Of every type of term, in the order of the list.
+const std::vector<TermSpec>& term_specs();
+
+/// Builds a material. Names of terms must differ, and their mean slopes be one. \throws MaterialError
 Material build(const MaterialDescription& description);
 
-/// Sets the parameter `key` wherever the description's models have it: distribution, masking, shadowing, fresnel in
-/// this order; the first that has it counts. Other keys of an alternative group are dropped ("alpha" replaces
+Material build(const TermDescription& term);
+
+/// Where term `index` stands in the JSON of a material.
+std::string pointer_of_term(const MaterialDescription& description, std::size_t index);
+
+/// The index of the only term that has a microsurface. \throws MaterialError when there is none or are several.
+std::size_t term_with_surface(const MaterialDescription& description);
+
+/// Sets the parameter `key` of a term wherever it has it: weight, distribution, masking, shadowing, fresnel and its own
+/// in this order; the first that has it counts. Other keys of an alternative group are dropped ("alpha" replaces
 /// "exponent"). \throws MaterialError when none has it.
+void set_parameter(TermDescription& description, const std::string& key, double value);
+/// The same of a material: `key` is "term.parameter", or a parameter alone where there is one term.
 void set_parameter(MaterialDescription& description, const std::string& key, double value);
+
+/// All that set_parameter() takes.
+std::vector<std::string> parameter_keys(const MaterialDescription& description);
 
 } // namespace brdfplot

@@ -34,8 +34,8 @@ double backward_sine(double above_alpha, double above_beta) {
 
 } // namespace
 
-double oren_nayar_brdf(OrenNayarFit fit, double sigma, const Direction& omega_o, const Direction& omega_i) {
-  if (!(omega_o.z > 0 && omega_i.z > 0)) return 0;
+OrenNayarParts oren_nayar_parts(OrenNayarFit fit, double sigma, const Direction& omega_o, const Direction& omega_i) {
+  if (!(omega_o.z > 0 && omega_i.z > 0)) return {};
   const Pair p(omega_o, omega_i);
   const double k = p.cos_azimuth;
   const double s = sigma * sigma;
@@ -43,8 +43,7 @@ double oren_nayar_brdf(OrenNayarFit fit, double sigma, const Direction& omega_o,
   const double tan_beta = std::min(p.sin_o, p.sin_i) / std::max(omega_o.z, omega_i.z);
   const double c1 = 1 - 0.5 * s / (s + 0.33);
   const double rough = s / (s + 0.09);
-  if (fit == OrenNayarFit::qualitative)
-    return (c1 + 0.45 * rough * std::max(0.0, k) * sin_alpha * tan_beta) * std::numbers::inv_pi;
+  if (fit == OrenNayarFit::qualitative) return {c1 + 0.45 * rough * std::max(0.0, k) * sin_alpha * tan_beta, 0};
 
   const double above_alpha = std::atan2(std::min(omega_o.z, omega_i.z), sin_alpha);
   const double above_beta = std::atan2(std::max(omega_o.z, omega_i.z), std::min(p.sin_o, p.sin_i));
@@ -52,10 +51,15 @@ double oren_nayar_brdf(OrenNayarFit fit, double sigma, const Direction& omega_o,
   const double angles = 4 / (pi * pi) * p.alpha * p.beta;
   const double c3 = 0.125 * rough * angles * angles;
   const double tan_mean = (p.sin_o + p.sin_i) / (omega_o.z + omega_i.z);
-  const double direct = c1 + k * c2 * tan_beta + (1 - std::fabs(k)) * c3 * tan_mean;
-  if (fit == OrenNayarFit::direct) return direct * std::numbers::inv_pi;
+  const double once = c1 + k * c2 * tan_beta + (1 - std::fabs(k)) * c3 * tan_mean;
+  if (fit == OrenNayarFit::direct) return {once, 0};
   const double half = 2 / pi * p.beta;
-  return (direct + 0.17 * s / (s + 0.13) * (1 - k * half * half)) * std::numbers::inv_pi;
+  return {once, 0.17 * s / (s + 0.13) * (1 - k * half * half)};
+}
+
+double oren_nayar_brdf(OrenNayarFit fit, double sigma, const Direction& omega_o, const Direction& omega_i) {
+  const OrenNayarParts parts = oren_nayar_parts(fit, sigma, omega_o, omega_i);
+  return (parts.once + parts.twice) * std::numbers::inv_pi;
 }
 
 } // namespace brdfplot

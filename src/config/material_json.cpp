@@ -2,48 +2,170 @@
 #include "config/model_json.hpp"
 #include "config/shapes.hpp"
 #include "math/number.hpp"
-#include "microfacet/registry.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace brdfplot::config {
+
+namespace {
+
+/// What "facet" may say of a material of one term: the type of the term, and the form of a fit.
+struct FacetName {
+  std::string name;
+  std::string type;
+  std::string form;
+};
+
+const std::vector<FacetName>& facets() {
+  static const std::vector<FacetName> all = {{"specular", "mirror", ""},
+                                             {"diffuse", "facet_diffuse", ""},
+                                             {"oren_nayar", "oren_nayar", "full"},
+                                             {"oren_nayar_direct", "oren_nayar", "direct"},
+                                             {"oren_nayar_qualitative", "oren_nayar", "qualitative"}};
+  return all;
+}
+
+std::vector<std::string> facet_names() {
+  std::vector<std::string> names;
+  for (const FacetName& facet : facets()) names.push_back(facet.name);
+  return names;
+}
+
+std::vector<Field> microsurface_fields() {
+  return {{"distribution", named("distribution", [] { return model(specs_of<Distribution>()); }), true,
+           "distribution of normals"},
+          {"masking", named("masking", [] { return model(specs_of<Masking>()); }), false,
+           "masking function G1; default smith"},
+          {"shadowing", named("shadowing", [] { return model(specs_of<Shadowing>()); }), false,
+           "joint masking-shadowing G2; default height_correlated, minimum for v_cavity, separable for implicit and "
+           "kelemen"}};
+}
+
+Field fresnel_field() {
+  return {"fresnel", named("fresnel", [] { return model(specs_of<Fresnel>()); }), false,
+          "Fresnel term; default none (F = 1)"};
+}
+
+Field claims_field() {
+  return {"claims", array(choice(claim_names())), false,
+          "what `brdfplot check` has to find true: physically_based, or properties by name"};
+}
+
+Field name_field() { return {"name", text(), false, "what figures and errors call it; default: the name of the file"}; }
+
+ShapePtr term_shape() {
+  std::vector<std::pair<std::string, ShapePtr>> types;
+  constexpr double most = 1e6;
+  const Bounds weights{.min = 0, .max = most};
+  for (const TermSpec& term : term_specs()) {
+    const ModelSpec& spec = term.spec;
+    std::vector<Field> fields = {{"type", text(), true, spec.doc + " (" + spec.source + ")"},
+                                 {"name", file_stem(), false,
+                                  "how parameters and quantities of it are asked for: NAME.alpha; default: its type"},
+                                 {"weight", either({number(weights), array(number(weights), 3, 3)}), false,
+                                  "what it is multiplied by, or one factor a channel; default 1"}};
+    if (term.has_surface)
+      for (Field& field : microsurface_fields()) fields.push_back(std::move(field));
+    if (term.has_fresnel) fields.push_back(fresnel_field());
+    for (const ParameterSpec& item : spec.parameters)
+      fields.push_back({item.key, parameter(item), !item.fallback, item.doc});
+    types.emplace_back(spec.type, object(std::move(fields)));
+  }
+  return tagged(std::move(types));
+}
+
+/// A material of one term, as it is written without a list.
+ShapePtr short_shape(bool top) {
+  std::vector<Field> fields = {name_field()};
+  for (Field& field : microsurface_fields()) fields.push_back(std::move(field));
+  fields.push_back(fresnel_field());
+  fields.push_back({"facet", choice(facet_names()), false,
+                    "how a facet reflects; default specular. A diffuse one has no Fresnel term; the fits of Oren and "
+                    "Nayar are for distribution oren_nayar with masking v_cavity"});
+  fields.push_back(claims_field());
+  return object(std::move(fields), top);
+}
+
+ShapePtr list_shape(bool top) {
+  constexpr std::size_t most_terms = 64;
+  return object({name_field(),
+                 {"terms", array(named("term", term_shape), 1, most_terms), true, "what its BRDF is a sum of"},
+                 claims_field()},
+                top);
+}
+
+void read_microsurface(const Json& value, MicrosurfaceDescription& surface) {
+  surface.distribution = to_choice<Distribution>(value["distribution"]);
+  if (value.contains("masking")) surface.masking = to_choice<Masking>(value["masking"]);
+  if (value.contains("shadowing")) surface.shadowing = to_choice<Shadowing>(value["shadowing"]);
+}
+
+TermDescription read_term(const Json& value) {
+  TermDescription term;
+  term.type = value["type"].get<std::string>();
+  if (value.contains("name")) term.name = value["name"].get<std::string>();
+  if (value.contains("weight")) {
+    const Json& weight = value["weight"];
+    term.weight = weight.is_number() ? Value(weight.get<double>()) : Value(weight.get<Rgb>());
+  }
+  if (value.contains("distribution")) read_microsurface(value, term);
+  if (value.contains("fresnel")) term.fresnel = to_choice<Fresnel>(value["fresnel"]);
+  const auto spec = std::ranges::find_if(term_specs(), [&](const TermSpec& s) { return s.spec.type == term.type; });
+  for (const ParameterSpec& parameter : spec->spec.parameters)
+    if (value.contains(parameter.key)) term.values.set(parameter.key, to_value(value[parameter.key], parameter));
+  return term;
+}
+
+/// Oren and Nayar fitted one microsurface, of which their fits know sigma.
+void make_fit(TermDescription& term, const FacetName& facet) {
+  const bool own = term.distribution.type == "oren_nayar" && term.masking.type == "v_cavity" &&
+                   (!term.shadowing || term.shadowing->type == "minimum");
+  if (!own)
+    throw MaterialError("/facet", "\"" + facet.name +
+                                      "\" is a fit for the distribution \"oren_nayar\", the masking \"v_cavity\" and "
+                                      "the shadowing \"minimum\" alone; accepted with any: specular, diffuse");
+  term.values.set("sigma", term.distribution.values.number("sigma"));
+  term.values.set("form", facet.form);
+  static_cast<MicrosurfaceDescription&>(term) = {};
+}
+
+TermDescription read_short(const Json& value) {
+  TermDescription term;
+  read_microsurface(value, term);
+  if (value.contains("fresnel")) term.fresnel = to_choice<Fresnel>(value["fresnel"]);
+  const std::string name = value.contains("facet") ? value["facet"].get<std::string>() : "specular";
+  const FacetName& facet = *std::ranges::find(facets(), name, &FacetName::name);
+  term.type = facet.type;
+  if (term.type != "mirror" && term.fresnel.type != "none")
+    throw MaterialError("/fresnel/type",
+                        "found \"" + term.fresnel.type + "\" beside \"facet\": \"" + name + "\"; accepted: none");
+  if (!facet.form.empty()) make_fit(term, facet);
+  return term;
+}
+
+} // namespace
 
 double to_number(const Json& value) {
   return value.is_string() ? *parse_angle(value.get<std::string>()) : value.get<double>();
 }
 
 ShapePtr material_shape(bool top) {
-  std::vector<Field> fields = {
-      {"name", text(), false, "what figures and errors call it; default: the name of the file"},
-      {"distribution", named("distribution", [] { return model(specs_of<Distribution>()); }), true,
-       "distribution of normals"},
-      {"masking", named("masking", [] { return model(specs_of<Masking>()); }), false,
-       "masking function G1; default smith"},
-      {"shadowing", named("shadowing", [] { return model(specs_of<Shadowing>()); }), false,
-       "joint masking-shadowing G2; default height_correlated, minimum for v_cavity, separable for implicit and "
-       "kelemen"},
-      {"fresnel", named("fresnel", [] { return model(specs_of<Fresnel>()); }), false,
-       "Fresnel term; default none (F = 1)"},
-      {"facet", choice(facet_names()), false,
-       "how a facet reflects; default specular. A diffuse one has no Fresnel term; the fits of Oren and Nayar are for "
-       "distribution oren_nayar with masking v_cavity"},
-      {"claims", array(choice(claim_names())), false,
-       "what `brdfplot check` has to find true: physically_based, or properties by name"}};
-  if (top) return object(std::move(fields), true);
-  return named("material", [fields] { return object(fields); });
+  if (top) return with_key("terms", list_shape(true), short_shape(true));
+  return named("material", [] { return with_key("terms", list_shape(false), short_shape(false)); });
 }
 
 MaterialDescription read_material(const JsonFile& file, const Json& value, const std::string& pointer) {
   MaterialDescription material;
   material.name = value.contains("name") ? value["name"].get<std::string>()
                                          : std::filesystem::path(file.file(pointer)).stem().string();
-  material.distribution = to_choice<Distribution>(value["distribution"]);
-  if (value.contains("masking")) material.masking = to_choice<Masking>(value["masking"]);
-  if (value.contains("shadowing")) material.shadowing = to_choice<Shadowing>(value["shadowing"]);
-  if (value.contains("fresnel")) material.fresnel = to_choice<Fresnel>(value["fresnel"]);
-  if (value.contains("facet")) material.facet = value["facet"].get<std::string>();
   if (value.contains("claims")) material.claims = value["claims"].get<std::vector<std::string>>();
+  material.listed = value.contains("terms");
   try {
+    if (material.listed)
+      for (const Json& term : value["terms"]) material.terms.push_back(read_term(term));
+    else
+      material.terms.push_back(read_short(value));
     build(material);
   } catch (const MaterialError& error) {
     file.fail(pointer + error.pointer(), error.reason());

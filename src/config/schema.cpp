@@ -216,6 +216,26 @@ private:
   std::vector<ShapePtr> shapes_;
 };
 
+class WithKey : public Shape {
+public:
+  WithKey(std::string key, ShapePtr with, ShapePtr without)
+      : key_(std::move(key)), with_(std::move(with)), without_(std::move(without)) {}
+  void check(const Json& value, const std::string& pointer) const override {
+    (value.is_object() && value.contains(key_) ? with_ : without_)->check(value, pointer);
+  }
+  Json schema(Json& definitions) const override {
+    return {{"if", {{"type", "object"}, {"required", Json::array({key_})}}},
+            {"then", with_->schema(definitions)},
+            {"else", without_->schema(definitions)}};
+  }
+  bool matches(const Json& value) const override { return value.is_object(); }
+  std::string describe() const override { return without_->describe(); }
+
+private:
+  std::string key_;
+  ShapePtr with_, without_;
+};
+
 class Named : public Shape {
 public:
   Named(std::string name, std::function<ShapePtr()> make) : name_(std::move(name)), make_(std::move(make)) {}
@@ -246,25 +266,6 @@ private:
   mutable ShapePtr made_;
 };
 
-ShapePtr parameter(const ParameterSpec& spec) {
-  switch (spec.kind) {
-  case ParameterKind::number: return number(spec.bounds);
-  case ParameterKind::number_or_rgb: return either({number(spec.bounds), array(number(spec.bounds), 3, 3)});
-  case ParameterKind::vec2: return array(number(spec.bounds), 2, 2);
-  case ParameterKind::formula:
-  case ParameterKind::text: return text();
-  case ParameterKind::components:
-    return array(named("component",
-                       [spec] {
-                         return object({{"weight", number(spec.bounds), true, "share of the sum"},
-                                        {"distribution", model(spec.models()), true, "what has this share"}});
-                       }),
-                 1, 64);
-  case ParameterKind::choice: break;
-  }
-  return choice(spec.choices);
-}
-
 } // namespace
 
 ShapePtr array(ShapePtr item, std::size_t min, std::size_t max) {
@@ -283,6 +284,29 @@ ShapePtr tagged(std::vector<std::pair<std::string, ShapePtr>> types) {
 ShapePtr either(std::vector<ShapePtr> shapes) { return std::make_shared<Either>(std::move(shapes)); }
 ShapePtr named(std::string name, std::function<ShapePtr()> make) {
   return std::make_shared<Named>(std::move(name), std::move(make));
+}
+
+ShapePtr with_key(std::string key, ShapePtr with, ShapePtr without) {
+  return std::make_shared<WithKey>(std::move(key), std::move(with), std::move(without));
+}
+
+ShapePtr parameter(const ParameterSpec& spec) {
+  switch (spec.kind) {
+  case ParameterKind::number: return number(spec.bounds);
+  case ParameterKind::number_or_rgb: return either({number(spec.bounds), array(number(spec.bounds), 3, 3)});
+  case ParameterKind::vec2: return array(number(spec.bounds), 2, 2);
+  case ParameterKind::formula:
+  case ParameterKind::text: return text();
+  case ParameterKind::components:
+    return array(named("component",
+                       [spec] {
+                         return object({{"weight", number(spec.bounds), true, "share of the sum"},
+                                        {"distribution", model(spec.models()), true, "what has this share"}});
+                       }),
+                 1, 64);
+  case ParameterKind::choice: break;
+  }
+  return choice(spec.choices);
 }
 
 ShapePtr model(const std::vector<ModelSpec>& specs) {

@@ -72,9 +72,13 @@ ShapePtr map(ShapePtr item, std::string key_doc);
 ShapePtr tagged(std::vector<std::pair<std::string, ShapePtr>> types);
 /// One of several, told apart by JSON type.
 ShapePtr either(std::vector<ShapePtr> shapes);
+/// An object that is of one shape with a key, and of another without it.
+ShapePtr with_key(std::string key, ShapePtr with, ShapePtr without);
 /// A shape by name: published under "$defs", and free to contain itself.
 ShapePtr named(std::string name, std::function<ShapePtr()> make);
 
+/// The shape of one parameter of a model.
+ShapePtr parameter(const ParameterSpec& spec);
 /// The shape of a model's parameters beside its `type`.
 ShapePtr model(const std::vector<ModelSpec>& specs);
 

@@ -8,16 +8,18 @@ namespace brdfplot::plot {
 
 namespace {
 
-/// Whether a colour stands among the values, and all that do are the same in every channel.
-bool is_grey(const Values& values) {
-  bool found = false;
-  for (const auto& entry : values.map()) {
-    const auto* rgb = std::get_if<Rgb>(&entry.second);
-    if (rgb == nullptr) continue;
-    found = true;
-    if ((*rgb)[0] != (*rgb)[1] || (*rgb)[0] != (*rgb)[2]) return false;
-  }
-  return found;
+/// Whether all colours that stand among the values are the same in every channel.
+bool is_grey(const Value& value) {
+  const auto* rgb = std::get_if<Rgb>(&value);
+  return rgb == nullptr || ((*rgb)[0] == (*rgb)[1] && (*rgb)[0] == (*rgb)[2]);
+}
+
+bool is_grey(const MaterialDescription& material) {
+  return std::ranges::all_of(material.terms, [](const TermDescription& term) {
+    const auto grey = [](const auto& entry) { return is_grey(entry.second); };
+    return is_grey(term.weight) && std::ranges::all_of(term.values.map(), grey) &&
+           std::ranges::all_of(term.fresnel.values.map(), grey);
+  });
 }
 
 } // namespace
@@ -44,15 +46,16 @@ int single_channel(std::optional<Channel> channel, const std::string& quantity) 
 }
 
 bool is_coloured(const std::string& quantity) {
-  const auto known = std::ranges::find(quantities(), quantity, &QuantityInfo::name);
-  if (known != quantities().end()) return known->coloured;
-  const auto integral = std::ranges::find(integrals(), quantity, &IntegralInfo::name);
+  const std::string name = quantity.substr(quantity.rfind('.') + 1);
+  const auto known = std::ranges::find(quantities(), name, &QuantityInfo::name);
+  if (known != quantities().end()) return known->coloured();
+  const auto integral = std::ranges::find(integrals(), name, &IntegralInfo::name);
   return integral == integrals().end() || integral->coloured;
 }
 
 void require_channel(const MaterialDescription& description, const Material& material, std::optional<Channel> channel,
                      const std::string& quantity) {
-  if (channel || material.channels() == 1 || !is_coloured(quantity) || is_grey(description.fresnel.values)) return;
+  if (channel || material.channels() == 1 || !is_coloured(quantity) || is_grey(description)) return;
   throw InputError("", "\"" + quantity +
                            "\" has three channels with this material, which differ; write which is meant: \"channel\": "
                            "\"r\", \"g\", \"b\" or \"luminance\"");

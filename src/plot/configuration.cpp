@@ -19,24 +19,25 @@ void set_type(ModelChoice& choice, const std::string& what, const std::string& t
   choice.type = type;
 }
 
-template <class List>
-void append_parameters(std::vector<std::string>& names, const ModelChoice& choice) {
-  for (const ModelSpec& spec : specs_of<List>()) {
-    if (spec.type != choice.type) continue;
-    for (const auto& parameter : spec.parameters)
-      if (parameter.kind == ParameterKind::number || parameter.kind == ParameterKind::number_or_rgb)
-        names.push_back(parameter.key);
-  }
-}
-
 /// Every variable that can be a number for this material.
 std::vector<std::string> numeric_variables(const MaterialDescription& material) {
   std::vector<std::string> names = direction_variables();
-  append_parameters<Distribution>(names, material.distribution);
-  append_parameters<Masking>(names, material.masking);
-  if (material.shadowing) append_parameters<Shadowing>(names, *material.shadowing);
-  append_parameters<Fresnel>(names, material.fresnel);
+  const auto keys = parameter_keys(material);
+  names.insert(names.end(), keys.begin(), keys.end());
   return names;
+}
+
+/// "coat.masking" as the term that it is of and what of it; without a dot, of the only term.
+std::pair<TermDescription*, std::string> term_of(MaterialDescription& material, const std::string& variable) {
+  const std::size_t dot = variable.find('.');
+  if (!material.listed) return {&material.terms.front(), variable};
+  std::string names;
+  for (TermDescription& term : material.terms) {
+    const std::string& name = term.name.empty() ? term.type : term.name;
+    if (dot != std::string::npos && variable.substr(0, dot) == name) return {&term, variable.substr(dot + 1)};
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw InputError("", "found \"" + variable + "\"; accepted: TERM. before the name of what is set, of " + names);
 }
 
 Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
@@ -58,24 +59,27 @@ const std::vector<std::string>& direction_variables() {
 }
 
 void Configuration::set_model(const std::string& variable, const std::string& type) {
-  if (variable == "distribution") {
-    set_type<Distribution>(material_.distribution, variable, type);
-  } else if (variable == "masking") {
-    material_.masking.values = {};
-    set_type<Masking>(material_.masking, variable, type);
-  } else if (variable == "shadowing") {
-    material_.shadowing = ModelChoice{};
-    set_type<Shadowing>(*material_.shadowing, variable, type);
-  } else if (variable == "fresnel") {
-    set_type<Fresnel>(material_.fresnel, variable, type);
-  } else if (variable == "channel") {
+  if (variable == "channel") {
     const auto found = std::ranges::find(channel_names(), type);
     if (found == channel_names().end()) throw InputError("", unknown_name(variable, type, channel_names()));
     channel_ = static_cast<Channel>(found - channel_names().begin());
+    return;
+  }
+  const auto numbers = numeric_variables(material_);
+  if (std::ranges::find(numbers, variable) != numbers.end())
+    throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
+  const auto [term, model] = term_of(material_, variable);
+  if (model == "distribution") {
+    set_type<Distribution>(term->distribution, variable, type);
+  } else if (model == "masking") {
+    term->masking.values = {};
+    set_type<Masking>(term->masking, variable, type);
+  } else if (model == "shadowing") {
+    term->shadowing = ModelChoice{};
+    set_type<Shadowing>(*term->shadowing, variable, type);
+  } else if (model == "fresnel") {
+    set_type<Fresnel>(term->fresnel, variable, type);
   } else {
-    const auto numbers = numeric_variables(material_);
-    if (std::ranges::find(numbers, variable) != numbers.end())
-      throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
     throw InputError(
         "", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel", "channel"}));
   }
@@ -113,8 +117,9 @@ std::optional<double> Configuration::angle(const std::string& variable) const {
 }
 
 Vec2 Configuration::mean_slope() const {
-  const Values& values = material_.distribution.values;
-  return values.has("mean_slope") ? values.vec2("mean_slope") : Vec2{0, 0};
+  for (const TermDescription& term : material_.terms)
+    if (term.distribution.values.has("mean_slope")) return term.distribution.values.vec2("mean_slope");
+  return {0, 0};
 }
 
 std::optional<Direction> Configuration::direction(std::size_t which) const {
@@ -124,24 +129,26 @@ std::optional<Direction> Configuration::direction(std::size_t which) const {
   return from_angles(*theta, phi.value_or(0));
 }
 
-Values Configuration::transformed(const SlopeMap& map) const {
-  Values values;
-  values.set("alpha_x", map.alpha_x / stretch_[0]);
-  values.set("alpha_y", map.alpha_y / stretch_[1]);
-  values.set("correlation", map.correlation);
-  values.set("mean_slope", Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
-  return values;
+MaterialDescription Configuration::transformed(const Material& material) const {
+  const Microsurface& surface = material.surface();
+  MaterialDescription description = material_;
+  TermDescription& term = description.terms[term_with_surface(description)];
+  if (!std::visit([](const auto& d) { return d.shape_invariant; }, surface.distribution))
+    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
+                             term.distribution.type + "\" is none");
+  const SlopeMap& map = surface.slopes();
+  set_parameter(term, "alpha_x", map.alpha_x / stretch_[0]);
+  set_parameter(term, "alpha_y", map.alpha_y / stretch_[1]);
+  term.distribution.values.set("mean_slope",
+                               Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
+  return description;
 }
 
 Configuration::Surface Configuration::surface() const {
   Material material = build(material_);
-  const SlopeMap before = material.slopes();
+  const SlopeMap before = a_ ? material.surface().slopes() : material.mesosurface();
   if (!is_transformed()) return {material_, std::move(material), before};
-  if (!std::visit([](const auto& d) { return d.shape_invariant; }, material.distribution))
-    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
-                             material_.distribution.type + "\" is none");
-  MaterialDescription description = material_;
-  description.distribution.values = transformed(before);
+  MaterialDescription description = transformed(material);
   material = build(description);
   return {std::move(description), std::move(material), before};
 }

@@ -61,8 +61,8 @@ private:
   void set_model(const std::string& variable, const std::string& type);
   std::optional<Direction> direction(std::size_t which) const;
   bool is_transformed() const { return stretch_ != Vec2{1, 1} || shear_ != Vec2{0, 0}; }
-  /// The distribution of the transformed material.
-  Values transformed(const SlopeMap& map) const;
+  /// The material after the transformations.
+  MaterialDescription transformed(const Material& material) const;
 
   MaterialDescription material_;
   std::optional<Channel> channel_;

@@ -35,7 +35,15 @@ std::string text_of(const ModelChoice& choice) {
 } // namespace
 
 std::string defining_text(const MaterialDescription& material) {
-  return text_of(material.distribution) + " " + text_of(material.fresnel);
+  std::string out;
+  for (const TermDescription& term : material.terms) {
+    // What a simulation does not know, which has one mirror, is left out: old measurements stay good.
+    const bool plain = term.type == "mirror" && term.name.empty() && text_of(term.weight) == "1";
+    if (!plain)
+      out += term.name + " " + term.type + " " + text_of(term.weight) + " " + text_of({"", term.values}) + " ";
+    out += text_of(term.distribution) + " " + text_of(term.fresnel);
+  }
+  return out;
 }
 
 std::string defining_text(const Direction& direction) {
@@ -43,9 +51,10 @@ std::string defining_text(const Direction& direction) {
 }
 
 std::string defining_text(const Term& term, const std::vector<std::string>& swept) {
-  const MaterialDescription& material = term.material;
-  std::string out = term.quantity + " " + defining_text(material) + " " + text_of(material.masking) + " " +
-                    (material.shadowing ? text_of(*material.shadowing) : "") + " " + material.facet + "\nat";
+  std::string out = term.quantity + " " + defining_text(term.material);
+  for (const TermDescription& one : term.material.terms)
+    out += " " + text_of(one.masking) + " " + (one.shadowing ? text_of(*one.shadowing) : "");
+  out += "\nat";
   for (const Setting& setting : term.at) {
     const auto* number = std::get_if<double>(&setting.value);
     out += " " + setting.variable + "=" + (number ? format_number(*number) : std::get<std::string>(setting.value));

@@ -48,11 +48,8 @@ Profile uncorrelated(const UncorrelatedSurface& surface, std::uint64_t seed) {
 /// The slopes' roughness in the plane of a cut.
 double alpha_along(const SlopeMap& slopes, bool along_y) { return along_y ? slopes.alpha_y : slopes.alpha_x; }
 
-Material model_of(ModelChoice distribution, const std::string& masking) {
-  MaterialDescription description;
-  description.distribution = std::move(distribution);
-  description.masking.type = masking;
-  return build(description);
+Microsurface model_of(ModelChoice distribution, const std::string& masking) {
+  return build_microsurface({.distribution = std::move(distribution), .masking = {.type = masking}, .shadowing = {}});
 }
 
 Made<ProfileSurface> made(const ModelChoice& choice) {
@@ -166,8 +163,8 @@ std::optional<double> Cuts::g1(std::size_t k, double theta, const Distortion& di
     const double towards = std::copysign(theta_m(k), theta);
     ModelChoice any{.type = "beckmann", .values = {}}; // Eq. 49 asks for no distribution
     any.values.set("alpha", 1.0);
-    const Material material = model_of(std::move(any), "v_cavity");
-    return evaluate(material, Quantity::g1, from_angles(theta, 0), std::nullopt, from_angles(towards, 0));
+    const Microsurface surface = model_of(std::move(any), "v_cavity");
+    return evaluate(surface, Quantity::g1, from_angles(theta, 0), std::nullopt, from_angles(towards, 0));
   }
   if (slopes_.empty()) return std::nullopt;
   ModelChoice distribution{.type = slopes_, .values = {}};

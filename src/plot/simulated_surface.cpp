@@ -57,9 +57,9 @@ double signed_theta(const Direction& plane, const Direction& i) {
 /// The surface of a material: V-cavities for their masking, else one of Gaussian heights, or as near to GGX as a
 /// surface of heights comes.
 ModelChoice surface_of(const Configuration::Ready& at, int cells) {
-  const bool ggx = std::holds_alternative<Ggx>(at.material.distribution);
-  const SlopeMap& slopes = at.material.slopes();
-  const bool v_cavity = std::holds_alternative<VCavity>(at.material.masking);
+  const bool ggx = std::holds_alternative<Ggx>(at.material.surface().distribution);
+  const SlopeMap& slopes = at.material.surface().slopes();
+  const bool v_cavity = std::holds_alternative<VCavity>(at.material.surface().masking);
   ModelChoice surface{.type = v_cavity ? "v_cavity" : ggx ? "ggx" : "gaussian", .values = {}};
   surface.values.set("alpha_x", slopes.alpha_x);
   surface.values.set("alpha_y", slopes.alpha_y);
@@ -91,19 +91,20 @@ public:
     const bool pair = is_g2(term) || is_lobe(term);
     if (pair && !at.i) throw InputError("", "this simulation needs theta_i");
     if (is_lobe(term) && !in_plane(at)) throw InputError("", "this simulation needs omega_i in the plane of incidence");
-    if (!std::holds_alternative<Beckmann>(at.material.distribution) &&
-        !std::holds_alternative<Ggx>(at.material.distribution))
+    if (!std::holds_alternative<Beckmann>(at.material.surface().distribution) &&
+        !std::holds_alternative<Ggx>(at.material.surface().distribution))
       throw InputError("", "surfaces are simulated for the distributions beckmann and ggx");
-    if (!std::holds_alternative<NoFresnel>(at.material.fresnel))
-      throw InputError("", "surfaces are simulated without a Fresnel term");
-    if (at.material.facet != Facet::specular)
-      throw InputError("", "surfaces are simulated with facets that are mirrors; found \"facet\": \"" +
-                               at.description.facet + "\", accepted: specular");
+    const WeightedTerm& only = at.material.terms.front();
+    if (at.material.terms.size() > 1 || only.fresnel() == nullptr)
+      throw InputError("", "surfaces are simulated with facets that are mirrors; found \"" +
+                               at.description.terms.back().type + "\", accepted: one term, mirror");
+    if (!std::holds_alternative<NoFresnel>(*only.fresnel()) || only.weight.value != Rgb{1, 1, 1})
+      throw InputError("", "surfaces are simulated without a Fresnel term and without a weight");
     simulation::check(scene(term, {at}, 0));
   }
 
   std::string group(const Term& term, const Configuration::Ready& at) const override {
-    std::string text = defining_text(at.description) + " " + at.description.masking.type;
+    std::string text = defining_text(at.description) + " " + at.description.terms.front().masking.type;
     if (!is_g1(term)) text += " from " + defining_text(*at.o);
     return text;
   }

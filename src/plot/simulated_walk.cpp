@@ -23,11 +23,12 @@ constexpr std::array<Bounces, 6> bounces = {
 /// What facets do with light, by name: the material says whether they are diffuse, and `facets` may say it again.
 std::string facets_of(const Term& term, const Configuration::Ready& at) {
   const std::string& named = term.simulate->facets;
-  const bool diffuse = at.material.facet == Facet::diffuse;
+  const bool diffuse = at.material.terms.front().fresnel() == nullptr;
   if (named.empty()) return diffuse ? "diffuse" : "conductor";
   if ((named == "diffuse") != diffuse)
-    throw InputError("", "found \"facets\": \"" + named + "\" with a material that has \"facet\": \"" +
-                             at.description.facet + "\"; accepted: " + (diffuse ? "diffuse" : "conductor, dielectric"));
+    throw InputError("", "found \"facets\": \"" + named + "\" with a material of \"" +
+                             at.description.terms.front().type +
+                             "\"; accepted: " + (diffuse ? "diffuse" : "conductor, dielectric"));
   return named;
 }
 

@@ -30,7 +30,18 @@ std::vector<std::string> quantity_names() {
 
 } // namespace
 
-bool depends_on(const std::string& quantity, const std::string& variable) {
+std::string quantity_part(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? name : name.substr(dot + 1);
+}
+
+std::string term_part(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? "" : name.substr(0, dot);
+}
+
+bool depends_on(const std::string& name, const std::string& variable) {
+  const std::string quantity = quantity_part(name);
   if (variable == "channel") return is_coloured(quantity);
   const bool of_m = variable == "theta_m" || variable == "phi_m" || variable == "slope";
   const bool of_i = variable == "theta_i" || variable == "phi_i";
@@ -41,11 +52,13 @@ bool depends_on(const std::string& quantity, const std::string& variable) {
 }
 
 TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, double tolerance)
-    : name_(term.quantity), configuration_(term, std::move(swept)), tolerance_(tolerance) {
+    : name_(term.quantity), term_(term_part(term.quantity)), configuration_(term, std::move(swept)),
+      tolerance_(tolerance) {
+  const std::string quantity = quantity_part(term.quantity);
   for (const auto& info : quantities())
-    if (info.name == term.quantity) quantity_ = info.quantity;
+    if (info.name == quantity) quantity_ = info.quantity;
   for (const auto& info : integrals())
-    if (info.name == term.quantity) integral_ = info.integral;
+    if (info.name == quantity) integral_ = info.integral;
   if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
 }
 
@@ -53,8 +66,10 @@ void TermFunction::require_all(const MaterialDescription& description, const Mat
                                const Directions& directions) const {
   if (integral_ && !directions.o) throw InputError("", "this quantity needs theta_o");
   if (quantity_)
-    require(material, quantities()[static_cast<std::size_t>(*quantity_)], directions.o.has_value(),
-            directions.i.has_value(), directions.m.has_value());
+    require(material, info_of(*quantity_), directions.o.has_value(), directions.i.has_value(), directions.m.has_value(),
+            term_);
+  else
+    require(material, integrals()[static_cast<std::size_t>(*integral_)], term_);
   require_channel(description, material, fixed().channel(), name_);
   if (integral_ && *integral_ != Integral::albedo && is_coloured(name_) && material.channels() > 1)
     single_channel(fixed().channel(), name_);
@@ -67,7 +82,9 @@ void TermFunction::check(const std::vector<double>& values) const {
 
 double TermFunction::integral_at(const Material& material, const Direction& o) const {
   throw_if_interrupted();
-  const auto of_channel = [&](int channel) { return compute_or_throw(*integral_, material, o, tolerance_, channel); };
+  const auto of_channel = [&](int channel) {
+    return compute_or_throw(*integral_, material, o, tolerance_, channel, term_);
+  };
   if (material.channels() == 1) return of_channel(0);
   if (fixed().channel() != Channel::luminance) return of_channel(single_channel(fixed().channel(), name_));
   const Rgb weights = weights_of(Channel::luminance);
@@ -78,7 +95,6 @@ double TermFunction::integral_at(const Material& material, const Direction& o) c
 
 std::vector<double> TermFunction::evaluated(const Material& material, const std::vector<Directions>& directions) const {
   const std::size_t n = directions.size();
-  const auto& info = quantities()[static_cast<std::size_t>(*quantity_)];
   std::array<std::vector<double>, 9> components;
   const auto columns = [&](std::size_t first, const auto& direction) {
     for (const Directions& row : directions) {
@@ -93,9 +109,9 @@ std::vector<double> TermFunction::evaluated(const Material& material, const std:
   batch.o = columns(0, [](const Directions& row) { return row.o.value_or(Direction{0, 0, 1}); });
   if (directions.front().i) batch.i = columns(3, [](const Directions& row) { return *row.i; });
   if (directions.front().m) batch.m = columns(6, [](const Directions& row) { return *row.m; });
-  const std::size_t channels = info.coloured ? static_cast<std::size_t>(material.channels()) : 1;
+  const auto channels = static_cast<std::size_t>(channels_of(material, *quantity_, term_));
   std::vector<double> all(channels * n);
-  evaluate(material, *quantity_, batch, all.data());
+  evaluate(material, *quantity_, batch, all.data(), term_);
   if (channels > 1) all = mixed(all, n, fixed().channel().value_or(Channel::r));
   for (const double value : all)
     if (!is_told(*quantity_, value))

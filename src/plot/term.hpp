@@ -11,6 +11,10 @@
 
 namespace brdfplot::plot {
 
+/// "coat.g1" is the quantity g1 of the term coat.
+std::string quantity_part(const std::string& name);
+std::string term_part(const std::string& name);
+
 /// Whether a quantity is a function of a variable: those of omega_m are nothing to the BRDF, whose facets are
 /// those of the half vector, and an integral knows omega_o alone.
 bool depends_on(const std::string& quantity, const std::string& variable);
@@ -38,6 +42,7 @@ private:
   std::vector<double> evaluated(const Material& material, const std::vector<Directions>& directions) const;
 
   std::string name_;
+  std::string term_; ///< whose quantity it is; none: the material's, or its only term's
   SweptConfiguration configuration_;
   std::optional<Quantity> quantity_;
   std::optional<Integral> integral_;

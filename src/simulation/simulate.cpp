@@ -90,12 +90,8 @@ public:
   Run(const SceneDescription& scene, const SimulationOptions& options)
       : scene_(scene), options_(options), surface_(build_surface(scene.surface)) {
     const auto target = std::visit([](const auto& s) { return s.target(); }, surface_);
-    std::optional<Material> smith;
-    if (target) {
-      MaterialDescription material;
-      material.distribution = *target;
-      smith = build(material);
-    }
+    std::optional<Microsurface> smith;
+    if (target) smith = build_microsurface({.distribution = *target, .masking = {.type = "smith"}, .shadowing = {}});
     for (MeasureDescription description : scene.measures) {
       for (const MeasureSpec& spec : measure_specs())
         if (spec.type == description.type && description.bins == 0) description.bins = spec.bins;

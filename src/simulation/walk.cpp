@@ -46,15 +46,43 @@ struct Target {
   bool outside;
 };
 
+/// The facets of a material of one term, and the microsurface that they are on.
+struct FacetsOf {
+  const Microsurface* surface = nullptr;
+  const Fresnel* fresnel = nullptr; ///< of mirrors
+  Rgb albedo{1, 1, 1};              ///< of diffuse facets
+
+  bool diffuse() const { return fresnel == nullptr; }
+};
+
+/// \throws InputError where a material has no such facets, or others beside.
+FacetsOf facets_of(const Material& material) {
+  const WeightedTerm& term = material.terms.front();
+  FacetsOf facets{term.surface(), term.fresnel()};
+  std::visit(
+      [&](const auto& t) {
+        if constexpr (requires {
+                        t.surface;
+                        t.albedo;
+                      })
+          facets.albedo = t.albedo.value;
+      },
+      term.term);
+  if (material.terms.size() != 1 || facets.surface == nullptr || term.weight.value != Rgb{1, 1, 1})
+    throw InputError(material.name, "the walk on Smith's surface knows materials of one term, mirror or facet_diffuse, "
+                                    "with weight 1");
+  return facets;
+}
+
 template <class Shape>
 class Walker {
 public:
   Walker(const Material& material, Facets facets, const WalkRequest& request)
-      : profile_{material.slopes()}, diffuse_(material.facet == Facet::diffuse), facets_(facets), material_(material),
+      : of_(facets_of(material)), profile_{of_.surface->slopes()}, diffuse_(of_.diffuse()), facets_(facets),
         request_(request) {
-    if (facets == Facets::dielectric) eta_ = std::get<DielectricFresnel>(material.fresnel).eta[request.channel];
+    if (facets == Facets::dielectric) eta_ = std::get<DielectricFresnel>(*of_.fresnel).eta[request.channel];
     for (const Direction& omega : request.omega_i) {
-      const bool outside = material.slopes().project(omega).c > 0;
+      const bool outside = of_.surface->slopes().project(omega).c > 0;
       const Direction up = outside ? omega : negated(omega);
       targets_.push_back({up, profile_.Lambda(up), outside});
     }
@@ -156,18 +184,18 @@ private:
   double relative_index(bool outside) const { return outside ? eta_ : 1 / eta_; }
 
   double reflectance(double facing, bool outside) const {
-    if (diffuse_) return 1;
+    if (diffuse_) return of_.albedo[request_.channel];
     const double cosine = std::min(facing, 1.0);
     if (facets_ == Facets::dielectric) return dielectric_reflectance(cosine, relative_index(outside));
     double f = 0;
-    std::visit([&](const auto& fresnel) { fresnel.reflectances(&cosine, request_.channel, &f, 1); }, material_.fresnel);
+    std::visit([&](const auto& fresnel) { fresnel.reflectances(&cosine, request_.channel, &f, 1); }, *of_.fresnel);
     return f;
   }
 
+  FacetsOf of_;
   SmithProfile<Shape> profile_;
   bool diffuse_;
   Facets facets_;
-  const Material& material_;
   const WalkRequest& request_;
   std::vector<Target> targets_;
   double eta_ = 1;
@@ -216,24 +244,24 @@ Estimates WalkResult::mean_fresnel(std::size_t first, std::size_t last) const {
 }
 
 void check_walk(const Material& material, Facets facets, const Direction& omega_o) {
-  if (!(material.slopes().project(omega_o).c > 0))
+  const FacetsOf of = facets_of(material);
+  const Distribution& distribution = of.surface->distribution;
+  if (!(of.surface->slopes().project(omega_o).c > 0))
     throw InputError(material.name, "omega_o is below the horizon of the mesosurface");
-  if (!std::holds_alternative<Beckmann>(material.distribution) && !std::holds_alternative<Ggx>(material.distribution))
+  if (!std::holds_alternative<Beckmann>(distribution) && !std::holds_alternative<Ggx>(distribution))
     throw InputError(material.name, "the walk on Smith's surface knows the distributions beckmann and ggx");
-  if (material.facet != Facet::specular && material.facet != Facet::diffuse)
-    throw InputError(material.name, "the walk on Smith's surface knows the facets specular and diffuse, found \"" +
-                                        facet_names()[static_cast<std::size_t>(material.facet)] + "\"");
-  if (facets == Facets::dielectric && material.facet == Facet::diffuse)
+  if (facets == Facets::dielectric && of.diffuse())
     throw InputError(material.name,
                      "diffuse facets refract nothing; accepted with \"dielectric\": \"facet\": \"specular\"");
-  if (facets == Facets::dielectric && !std::holds_alternative<DielectricFresnel>(material.fresnel))
+  if (facets == Facets::dielectric && !std::holds_alternative<DielectricFresnel>(*of.fresnel))
     throw InputError(material.name, "dielectric facets need the Fresnel term \"dielectric\"");
 }
 
 WalkResult walk(const Material& material, Facets facets, const WalkRequest& request) {
   check_walk(material, facets, request.omega_o);
-  return std::holds_alternative<Beckmann>(material.distribution) ? run_all<BeckmannShape>(material, facets, request)
-                                                                 : run_all<GgxShape>(material, facets, request);
+  return std::holds_alternative<Beckmann>(material.surface().distribution)
+             ? run_all<BeckmannShape>(material, facets, request)
+             : run_all<GgxShape>(material, facets, request);
 }
 
 } // namespace brdfplot::simulation

@@ -39,7 +39,7 @@ std::string type_of(const Form& form) {
 }
 
 Material material_of(Model model, const kernels::Stretch& k, const Form& form) {
-  MaterialDescription description;
+  TermDescription description;
   description.distribution.type = model == Model::beckmann ? "beckmann" : "ggx";
   description.distribution.values.set("alpha_x", k.alpha_x);
   description.distribution.values.set("alpha_y", k.alpha_y);

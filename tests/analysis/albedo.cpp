@@ -169,7 +169,7 @@ void compare(const Lobes& lobes, double mu, Worst& worst) {
   for (const Lobe& lobe : lobes)
     choices.push_back(
         {lobe.weight, describe(shape_names[static_cast<std::size_t>(lobe.shape)], lobe.alpha).distribution});
-  MaterialDescription description = mixture(choices);
+  TermDescription description = mixture(choices);
   if (lobes.size() == 1) description.distribution = choices.begin()->model;
   for (std::size_t k = 0; k < forms.size(); ++k) {
     const std::string name = description.distribution.type + ", " + forms[k].shadowing + " " + forms[k].lambda;

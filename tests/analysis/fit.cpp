@@ -15,8 +15,8 @@ using namespace brdfplot;
 
 namespace {
 
-MaterialDescription material(const std::string& type, const std::vector<std::pair<std::string, double>>& values) {
-  MaterialDescription description;
+TermDescription material(const std::string& type, const std::vector<std::pair<std::string, double>>& values) {
+  TermDescription description;
   description.name = type;
   description.distribution.type = type;
   for (const auto& [key, value] : values) description.distribution.values.set(key, value);
@@ -36,7 +36,7 @@ struct Seen {
   double fall = 0; ///< by how much of itself it falls at most
 };
 
-Seen look(const FitResult& result, const MaterialDescription& description, double alpha, double y) {
+Seen look(const FitResult& result, const TermDescription& description, double alpha, double y) {
   const Material m = build(description);
   Seen seen;
   double last = 0;
@@ -171,7 +171,7 @@ TEST_CASE("fit: what the code computes in float and double is within what is sai
     for (const double value :
          parameter ? std::vector<double>{parameter->from, 1.75, 2.125, 5, 300} : std::vector{0.0}) {
       if (parameter && !parameter->contains(value)) continue;
-      MaterialDescription changed = description;
+      TermDescription changed = description;
       if (parameter) set_parameter(changed, parameter->key, value);
       const Material m = build(changed);
       const Seen in_float = look_at_code<float>(fit, m, value), in_double = look_at_code<double>(fit, m, value);
@@ -207,7 +207,7 @@ TEST_CASE("fit: at Walter's degree it beats Walter") {
 
 TEST_CASE("fit: shape-invariant distributions, one variable") {
   struct Row {
-    MaterialDescription description;
+    TermDescription description;
     double alpha;
     double tolerance;
   };
@@ -232,10 +232,10 @@ TEST_CASE("fit: the error alternates as often as there are coefficients") {
 }
 
 TEST_CASE("fit: parameters held fixed") {
-  const std::vector<MaterialDescription> all = {
-      material("phong", {{"exponent", 10}}), material("gtr", {{"alpha", 0.3}, {"gamma", 1.5}}),
-      material("velvet", {{"alpha", 0.5}}), material("sheen", {{"alpha", 0.5}})};
-  for (const MaterialDescription& description : all) {
+  const std::vector<TermDescription> all = {material("phong", {{"exponent", 10}}),
+                                            material("gtr", {{"alpha", 0.3}, {"gamma", 1.5}}),
+                                            material("velvet", {{"alpha", 0.5}}), material("sheen", {{"alpha", 0.5}})};
+  for (const TermDescription& description : all) {
     INFO(description.name);
     const FitResult result = fit_lambda(description, {.fixed = true, .threads = 2});
     CHECK(result.target.alpha == FitAlpha::constant);
@@ -264,13 +264,13 @@ TEST_CASE("fit: two variables") {
 }
 
 TEST_CASE("fit: the same on any number of threads") {
-  const MaterialDescription description = material("ggx", {{"alpha", 0.3}});
+  const TermDescription description = material("ggx", {{"alpha", 0.3}});
   const std::string one = fit_code(fit_lambda(description, {.threads = 1}), 1e-4, FitLanguage::glsl);
   CHECK(one == fit_code(fit_lambda(description, {.threads = 3}), 1e-4, FitLanguage::glsl));
 }
 
 TEST_CASE("fit: what cannot be fitted") {
-  MaterialDescription cavity = material("ggx", {{"alpha", 0.3}});
+  TermDescription cavity = material("ggx", {{"alpha", 0.3}});
   cavity.masking.type = "v_cavity";
   CHECK_THROWS_AS(fit_lambda(cavity, {}), InputError);
   try {

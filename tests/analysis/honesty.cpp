@@ -22,7 +22,7 @@ int case_count(int usual) {
 
 /// A distribution of any kind and roughness under any masking function, and a viewer down to 0.1 degrees.
 struct RandomCase {
-  MaterialDescription description;
+  TermDescription description;
   Direction o;
 
   RandomCase(std::mt19937_64& engine, const std::string& masking) {
@@ -46,17 +46,17 @@ struct RandomCase {
     o = from_angles(unit(engine) * 89.9 * degree, 6.3 * unit(engine));
   }
 
-  double alpha_x() const { return build(description).slopes().alpha_x; }
+  double alpha_x() const { return build(description).surface().slopes().alpha_x; }
 };
 
 const std::vector<std::string> maskings = {"smith",         "smith_rational",         "v_cavity", "implicit",
                                            "schlick_smith", "schlick_smith_rational", "kelemen"};
 
 /// int <o,m> D dm over the facing normals: c (1 + Lambda) of Smith, in closed form or by its own quadrature.
-double facing_area(MaterialDescription description, const Direction& o) {
+double facing_area(TermDescription description, const Direction& o) {
   description.masking = {.type = "smith", .values = {}};
   const Material smith = build(description);
-  return smith.slopes().project(o).c / g1(smith, o);
+  return smith.surface().slopes().project(o).c / g1(smith, o);
 }
 
 /// The exact value of Eqs. 18 and 36 (Eq. 13 is c times it).
@@ -64,7 +64,7 @@ double exact(const RandomCase& one, const Material& material) {
   if (one.description.masking.type == "smith" || one.description.masking.type == "v_cavity") return 1;
   const double area = facing_area(one.description, one.o);
   if (one.description.masking.type == "implicit") return area;
-  if (material.has_lambda()) return g1(material, one.o) / material.slopes().project(one.o).c * area;
+  if (material.surface().has_lambda()) return g1(material, one.o) / material.surface().slopes().project(one.o).c * area;
   return compute_in_plane(Integral::visible_norm, material, one.o, 1e-12).value; // Kelemen's has no closed form
 }
 
@@ -76,14 +76,14 @@ TEST_CASE("Eqs. 13, 18 and 36: the error estimate bounds the true error in rando
   for (int k = 0; k < count; ++k) {
     const RandomCase one(engine, maskings[static_cast<std::size_t>(k) % maskings.size()]);
     const Material material = build(one.description);
-    const double c = material.slopes().project(one.o).c;
+    const double c = material.surface().slopes().project(one.o).c;
     if (!(c > 0)) continue;
     const double truth = exact(one, material);
-    INFO("case " << k << ": " << material.name << ", " << one.description.masking.type
-                 << ", alpha_x = " << one.alpha_x() << ", alpha_y = " << material.slopes().alpha_y << ", c = " << c);
+    INFO("case " << k << ": " << material.name << ", " << one.description.masking.type << ", alpha_x = "
+                 << one.alpha_x() << ", alpha_y = " << material.surface().slopes().alpha_y << ", c = " << c);
     const double rounding = 1e-13 * truth + 1e-15 / c;
     // What the half vectors of Eq. 36 lose at grazing angles on smooth surfaces cannot be had back.
-    const SlopeMap& map = material.slopes();
+    const SlopeMap& map = material.surface().slopes();
     const double lost = 2e-15 / (c * std::min(map.alpha_x, map.alpha_y) * map.decorrelation());
     for (const Integral integral : {Integral::projected_area, Integral::visible_norm, Integral::weak_furnace})
       for (const double tolerance : {1e-5, 1e-9}) {
@@ -119,9 +119,9 @@ TEST_CASE("albedos: the error estimate bounds the true error in random cases") {
     const auto& shadowing = shadowings[static_cast<std::size_t>(k / 4) % (cavity ? 6 : 10)];
     one.description = shadowed(one.description, shadowing[0], shadowing[1]);
     const Material material = build(one.description);
-    if (!(material.slopes().project(one.o).c > 0)) continue;
+    if (!(material.surface().slopes().project(one.o).c > 0)) continue;
     INFO("case " << k << ": " << material.name << ", " << shadowing[0] << " " << shadowing[1] << ", alpha_x = "
-                 << one.alpha_x() << ", alpha_y = " << material.slopes().alpha_y << ", z = " << one.o.z);
+                 << one.alpha_x() << ", alpha_y = " << material.surface().slopes().alpha_y << ", z = " << one.o.z);
     const Estimate truth = compute(Integral::furnace, material, one.o, 1e-10);
     CHECK(truth.error <= 1e-10);
     for (const double tolerance : {1e-4, 1e-8}) {
@@ -155,7 +155,7 @@ TEST_CASE("the furnace: the error estimate bounds the true error in random cases
     const Material m =
         build(shadowed(general(type, ax, ay, r, mean, cavity ? "v_cavity" : "smith"), shadowing, factor));
     const Direction o = from_angles(k % 5 == 0 ? 0 : unit(engine) * 89.9 * degree, 6.3 * unit(engine));
-    if (!(m.slopes().project(o).c > 0)) continue;
+    if (!(m.surface().slopes().project(o).c > 0)) continue;
     INFO("case " << k << ": " << m.name << ", alpha_x = " << ax << ", alpha_y = " << ay << ", r = " << r
                  << ", z = " << o.z);
     const Estimate fine = compute(Integral::furnace, m, o, 1e-10);
@@ -168,7 +168,7 @@ TEST_CASE("the furnace: the error estimate bounds the true error in random cases
 }
 
 TEST_CASE("a shape that begins with all derivatives 0 does not deceive the estimates, at grazing angles too") {
-  MaterialDescription description = general("custom", 0.2, 0.6, -0.5, {0.2, -0.1});
+  TermDescription description = general("custom", 0.2, 0.6, -0.5, {0.2, -0.1});
   description.distribution.values.set("shape", std::string("exp(-1/t2) / (0.1 + t2^2)"));
   for (const auto* masking : {"smith", "v_cavity"}) {
     description.masking.type = masking;
@@ -176,7 +176,7 @@ TEST_CASE("a shape that begins with all derivatives 0 does not deceive the estim
     for (const double theta : {0.5, 1.45, 1.5})
       for (const double phi : {45.0, 100.0, 225.0}) {
         const Direction o = from_angles(theta, phi * degree); // at 1.5 and 45 degrees c is 2e-4
-        const double c = m.slopes().project(o).c;
+        const double c = m.surface().slopes().project(o).c;
         if (!(c > 0)) continue;
         INFO(masking << ", theta_o = " << theta << ", phi_o = " << phi);
         for (const double tolerance : {1e-5, 1e-9}) {
@@ -184,7 +184,7 @@ TEST_CASE("a shape that begins with all derivatives 0 does not deceive the estim
             const Estimate e = compute_in_plane(integral, m, o, tolerance);
             CHECK(std::fabs(e.value - (integral == Integral::projected_area ? c : 1)) <= e.error);
           }
-          const Estimate e = diffuse_weak_furnace(m, o, tolerance);
+          const Estimate e = diffuse_weak_furnace(m.surface(), o, tolerance);
           CHECK(std::fabs(e.value - 1) <= e.error);
         }
         const Estimate fine = compute(Integral::furnace, m, o, 1e-10);

@@ -76,7 +76,7 @@ std::string describe_choice(const ModelChoice& choice) {
 
 std::optional<IntegralCase> random_case(std::uint64_t number) {
   Draw draw(number);
-  MaterialDescription description;
+  TermDescription description;
   description.distribution = distribution(draw);
   std::vector<std::string> maskings = {"smith",    "smith",          "smith",
                                        "v_cavity", "smith_rational", "implicit",
@@ -101,7 +101,7 @@ std::optional<IntegralCase> random_case(std::uint64_t number) {
   const double tolerance = draw.log_between(1e-9, 1e-4);
   try {
     const Material material = build(description);
-    if (!(material.slopes().project(o).c > 0)) return {};
+    if (!(material.surface().slopes().project(o).c > 0)) return {};
     std::string text = "case " + std::to_string(number) + ": " + describe_choice(description.distribution) + " | " +
                        description.masking.type + " | " + shadowing + " " + factor + " | " +
                        describe_choice(description.fresnel) + " | theta_o=" + format_number(theta / degree) +
@@ -134,8 +134,10 @@ struct Arrays {
 FacetFunction integrand(const IntegralCase& one, const Component& component, bool several) {
   const bool lit = one.integral == Integral::albedo || one.integral == Integral::furnace;
   Material material = one.material;
-  if (one.integral == Integral::furnace) material.fresnel = NoFresnel{};
-  const double whole = material.has_lambda() ? g1(material, one.o) / material.slopes().project(one.o).c : 0; // G1 / c
+  if (one.integral == Integral::furnace) std::get<Mirror>(material.terms[0].term).fresnel = NoFresnel{};
+  const double whole = material.surface().has_lambda()
+                           ? g1(material, one.o) / material.surface().slopes().project(one.o).c
+                           : 0; // G1 / c
   return [&one, &component, material, several, lit, whole](const std::vector<Direction>& facets,
                                                            std::vector<double>& values) {
     Arrays o, i, m;
@@ -152,7 +154,8 @@ FacetFunction integrand(const IntegralCase& one, const Component& component, boo
       if (lit) values[k] *= 4 * std::max(0.0, dot(one.o, facets[k]));
       if (quantity == Quantity::d) values[k] *= whole * std::max(0.0, dot(one.o, facets[k]));
       if (!several || values[k] == 0) continue;
-      const double all = std::visit([&](const auto& d) { return d.density(facets[k]); }, material.distribution);
+      const double all =
+          std::visit([&](const auto& d) { return d.density(facets[k]); }, material.surface().distribution);
       values[k] *= all > 0 ? component.density(facets[k]) / all : 0; // both of them where they underflow
     }
   };
@@ -162,12 +165,12 @@ FacetFunction integrand(const IntegralCase& one, const Component& component, boo
 
 RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
   const bool lit = one.integral == Integral::albedo || one.integral == Integral::furnace;
-  const SlopeMap& mesosurface = one.material.slopes();
+  const SlopeMap& mesosurface = one.material.surface().slopes();
   const auto inside = [&](const Direction& facet) {
     return dot(one.o, facet) > 0 && (!lit || mesosurface.project(mirrored_at(one.o, facet)).c > 0);
   };
-  const auto parts = components(one.material.distribution);
-  const auto* dielectric = std::get_if<DielectricFresnel>(&one.material.fresnel);
+  const auto parts = components(one.material.surface().distribution);
+  const auto* dielectric = std::get_if<DielectricFresnel>(one.material.terms[0].fresnel());
   const bool critical = one.integral == Integral::albedo && dielectric != nullptr && dielectric->eta[0] < 1;
   const int panels = critical || of_tolerance < 1 ? 6 : 1;
   RayIntegral sum;
@@ -187,10 +190,10 @@ RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
 
 RayIntegral diffuse_truth(const Material& material, const Direction& o, const Direction& i, double tolerance,
                           double about, int parts) {
-  const double c_o = material.slopes().project(o).c, c_i = material.slopes().project(i).c;
+  const double c_o = material.surface().slopes().project(o).c, c_i = material.surface().slopes().project(i).c;
   const auto inside = [&](const Direction& facet) { return dot(o, facet) > 0 && dot(i, facet) > 0; };
   RayIntegral sum;
-  for (const Component& component : components(material.distribution)) {
+  for (const Component& component : components(material.surface().distribution)) {
     const FacetFunction f = [&](const std::vector<Direction>& facets, std::vector<double>& values) {
       Arrays os, is, ms;
       for (const Direction& facet : facets) {

@@ -42,7 +42,7 @@ struct IntegralCase {
   double tolerance = 1e-9;
 
   /// The tolerance is relative to this.
-  double scale() const { return integral == Integral::projected_area ? material.slopes().project(o).c : 1; }
+  double scale() const { return integral == Integral::projected_area ? material.surface().slopes().project(o).c : 1; }
 };
 
 /// The case of that number: materials smooth and rough (alpha 0.002 to 5), anisotropic up to 1 to 100, correlated up to

@@ -57,7 +57,7 @@ TEST_CASE("physically based masking passes Eqs. 14, 18 and 36 wherever one looks
     const Vec2 mean = k % 3 == 0 ? Vec2{0.4 * unit(engine), -0.4 * unit(engine)} : Vec2{0, 0};
     const Material m = build(general(type, ax, ay, 1.8 * unit(engine) - 0.9, mean, k % 5 == 4 ? "v_cavity" : "smith"));
     const Direction o = from_angles(unit(engine) * 89.9 * degree, 6.3 * unit(engine));
-    const double c = m.slopes().project(o).c;
+    const double c = m.surface().slopes().project(o).c;
     if (!(c > 0)) continue;
     INFO("case " << k << ": " << m.name << " alpha_x = " << ax << ", alpha_y = " << ay << ", z = " << o.z);
     const Estimate norm = compute(Integral::visible_norm, m, o);
@@ -98,7 +98,7 @@ TEST_CASE("Phong and GTR with their own Lambda pass the weak white furnace test"
     const Direction o = from_angles(theta, 0);
     CHECK(std::fabs(compute(Integral::weak_furnace, material("phong", 0.5), o).value - 1) < 1e-9);
     CHECK(std::fabs(compute(Integral::weak_furnace, gtr(0.3, 1.2), o).value - 1) < 1e-9);
-    MaterialDescription borrowed = describe("phong", 0.8);
+    TermDescription borrowed = describe("phong", 0.8);
     borrowed.masking.values.set("lambda_of", std::string("beckmann"));
     CHECK(std::fabs(compute(Integral::weak_furnace, build(borrowed), o).value - 1) > 1e-4);
   }
@@ -195,7 +195,7 @@ TEST_CASE("albedos agree with an integral over the directions of light that shar
 }
 
 TEST_CASE("an albedo with a Fresnel term is coloured, and between the extremes of F") {
-  MaterialDescription gold = describe("ggx", 0.4);
+  TermDescription gold = describe("ggx", 0.4);
   gold.fresnel.type = "schlick";
   gold.fresnel.values.set("f0", Rgb{1, 0.7, 0.3});
   const Material m = build(gold);

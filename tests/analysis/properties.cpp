@@ -13,7 +13,7 @@ namespace {
 
 const PropertySearch quick{{0.3, 1.2, 1.5}, 1e-6};
 
-Verdict verdict(Property property, const MaterialDescription& description, const PropertySearch& search = quick) {
+Verdict verdict(Property property, const TermDescription& description, const PropertySearch& search = quick) {
   return measure(property, {description}, search).verdict;
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("alpha_x alpha_y in place of alpha_o^2: the bug is caught, and the rig
 TEST_CASE("each property is told from the others") {
   struct Case {
     Property property;
-    MaterialDescription bad;
+    TermDescription bad;
   };
   const auto ggx = describe("ggx", 0.5);
   const std::vector<Case> cases = {{Property::g1_range, with_formula(ggx, "g1", "1 + 0.1 * sin(theta)^2")},

@@ -125,7 +125,7 @@ void require_all_right(const Tally& tally) {
   CHECK(tally.refused == 0);
 }
 
-Material with_fresnel(MaterialDescription description, const std::string& type, const std::string& key, double value) {
+Material with_fresnel(TermDescription description, const std::string& type, const std::string& key, double value) {
   description.fresnel = {.type = type, .values = {}};
   description.fresnel.values.set(key, value);
   return build(description);
@@ -169,7 +169,7 @@ TEST_CASE("albedos whose mass lies at the edge of a range of angles") {
 
 TEST_CASE("the area that is seen of slopes with a slow tail, at grazing angles") {
   Tally tally;
-  MaterialDescription description = describe("student_t", 0.389, "student_t_fit");
+  TermDescription description = describe("student_t", 0.389, "student_t_fit");
   description.distribution.values.set("gamma", 2.338);
   for (const double tolerance : {1e-5, 3e-9, 1e-10})
     tally.add(compare(
@@ -194,9 +194,8 @@ TEST_CASE("random BRDFs of diffuse facets agree with an independent rule, or are
     auto one = random_case(number);
     Draw draw(number + 77);
     const Direction i = from_angles(draw.between(0, 89.9) * degree, draw.between(0, 6.3));
-    if (!one || !(one->material.slopes().project(i).c > 0)) return tally;
-    one->material.fresnel = NoFresnel{};
-    one->material.facet = Facet::diffuse;
+    if (!one || !(one->material.surface().slopes().project(i).c > 0)) return tally;
+    one->material.terms[0].term = FacetDiffuse{one->material.surface(), {}};
     const std::string text =
         one->text + ", diffuse, i = " + format_number(i.x) + ", " + format_number(i.y) + ", " + format_number(i.z);
     try {

@@ -14,7 +14,7 @@ using namespace brdfplot;
 namespace {
 
 Material ggx() {
-  MaterialDescription description;
+  TermDescription description;
   description.name = "GGX";
   description.distribution.type = "ggx";
   description.distribution.values.set("alpha", 0.4);

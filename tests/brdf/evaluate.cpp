@@ -43,7 +43,7 @@ TEST_CASE("the BRDF is Eq. 29, F D G2 / (4 cos cos), where that can be evaluated
   for (const Material& m : reciprocal_materials())
     for (int k = 0; k < 50; ++k) {
       const Direction o = random_direction(engine), i = random_direction(engine), h = half_vector(o, i);
-      const double c_o = m.slopes().project(o).c, c_i = m.slopes().project(i).c;
+      const double c_o = m.surface().slopes().project(o).c, c_i = m.surface().slopes().project(i).c;
       const double printed =
           c_o > 0 && c_i > 0 ? value_at_normal(m, Quantity::d, o, h) * value(m, Quantity::g2, o, i) / (4 * c_o * c_i)
                              : 0;
@@ -55,7 +55,7 @@ TEST_CASE("the BRDF is Eq. 29, F D G2 / (4 cos cos), where that can be evaluated
 
 TEST_CASE("the BRDF does not look at a normal given beside the two directions; G2 and F do") {
   const Direction o = from_angles(1.0, 0.3), i = from_angles(0.6, 2.0), m = from_angles(1.2, 1.0);
-  MaterialDescription metal = describe("ggx", 0.25);
+  TermDescription metal = describe("ggx", 0.25);
   metal.fresnel.type = "schlick";
   metal.fresnel.values.set("f0", Rgb{0.1, 0.2, 0.3});
   for (const Material& material :
@@ -102,7 +102,7 @@ TEST_CASE("a row's value depends on that row alone, to the last bit") {
   std::vector<double> out(n);
   for (const Material& m : {material("beckmann", 0.3), material("ggx", 0.3, "v_cavity")})
     for (const auto& info : quantities()) {
-      if (info.quantity == Quantity::lambda && !m.has_lambda()) continue;
+      if (info.quantity == Quantity::lambda && !m.surface().has_lambda()) continue;
       evaluate(m, info.quantity, batch, out.data());
       for (std::size_t k = 0; k < n; ++k) {
         INFO(m.name << ", " << info.name << ", row " << k);
@@ -114,7 +114,7 @@ TEST_CASE("a row's value depends on that row alone, to the last bit") {
 /// Models of every way to compute, among them coloured ones.
 std::vector<Material> materials_of_all_kinds() {
   auto all = reciprocal_materials();
-  MaterialDescription description = describe("ggx", 0.3);
+  TermDescription description = describe("ggx", 0.3);
   description.fresnel.type = "conductor";
   description.fresnel.values.set("eta", Rgb{0.14, 0.38, 1.44});
   description.fresnel.values.set("k", Rgb{3.98, 2.39, 1.60});
@@ -142,7 +142,7 @@ TEST_CASE("several quantities at once have the bytes of one at a time") {
         std::vector<std::vector<double>> together(quantities().size(), std::vector<double>(3 * n));
         std::vector<Wanted> wanted;
         for (const auto& info : quantities())
-          if (info.quantity != Quantity::lambda || m.has_lambda())
+          if (info.quantity != Quantity::lambda || m.surface().has_lambda())
             wanted.push_back({info.quantity, together[static_cast<std::size_t>(info.quantity)].data()});
         if (backwards) std::ranges::reverse(wanted);
         evaluate(m, wanted, batch);
@@ -166,7 +166,7 @@ TEST_CASE("never NaN, never negative, 0 where there is nothing, at the ends of t
   for (const Material& m : all)
     for (const Direction& o : ends)
       for (const Direction& i : ends) {
-        const bool hidden = !(m.slopes().project(o).c > 0) || !(m.slopes().project(i).c > 0);
+        const bool hidden = !(m.surface().slopes().project(o).c > 0) || !(m.surface().slopes().project(i).c > 0);
         for (const Quantity q : {Quantity::brdf, Quantity::brdf_cos, Quantity::g2}) {
           const double v = value(m, q, o, i);
           INFO(m.name << " o = " << o.x << " " << o.y << " " << o.z << " i = " << i.x << " " << i.y << " " << i.z);
@@ -193,7 +193,7 @@ TEST_CASE("grazing values tend to their limit instead of to 0 / 0") {
 }
 
 TEST_CASE("colour comes from the Fresnel term alone") {
-  MaterialDescription gold = describe("ggx", 0.3);
+  TermDescription gold = describe("ggx", 0.3);
   gold.fresnel.type = "conductor";
   gold.fresnel.values.set("eta", Rgb{0.14, 0.38, 1.44});
   gold.fresnel.values.set("k", Rgb{3.98, 2.39, 1.60});
@@ -219,7 +219,7 @@ TEST_CASE("what a quantity needs is asked for by name") {
 }
 
 TEST_CASE("what cannot be built is refused with its place") {
-  const auto pointer = [](const MaterialDescription& description) {
+  const auto pointer = [](const TermDescription& description) {
     try {
       build(description);
     } catch (const MaterialError& error) {
@@ -233,7 +233,7 @@ TEST_CASE("what cannot be built is refused with its place") {
   CHECK(pointer(shadowed(describe("ggx", 0.5, "v_cavity"), "height_correlated")) == "/shadowing/type");
   CHECK(pointer(shadowed(describe("ggx", 0.5), "direction_correlated")) == "/shadowing");
   CHECK(pointer(general("ggx", 0.1, 0.2, 1)) == "/distribution/correlation");
-  MaterialDescription both = general("ggx", 0.1, 0.2, 0);
+  TermDescription both = general("ggx", 0.1, 0.2, 0);
   both.distribution.values.set("alpha", 0.3);
   CHECK(pointer(both).starts_with("/distribution/alpha"));
   set_parameter(both, "alpha", 0.3); // displaces the other alternative

@@ -44,7 +44,7 @@ std::vector<Material> materials() {
     all.push_back(material(type, 0.5, "v_cavity"));
   }
   all.push_back(gtr(0.25, 1.5));
-  MaterialDescription metal = describe("ggx", 0.25);
+  TermDescription metal = describe("ggx", 0.25);
   metal.fresnel.type = "conductor";
   metal.fresnel.values.set("eta", Rgb{0.14, 0.38, 1.44});
   metal.fresnel.values.set("k", Rgb{3.98, 2.39, 1.60});
@@ -62,7 +62,7 @@ double distance(float value, double exact) {
 /// What the rounding of c and s to floats, 3 ulp of them together, makes of Lambda of Beckmann: e^(-a^2) magnifies it
 /// 2 a^2 times, a = c / s.
 double conditioning(const Material& m, const Direction& o) {
-  const Projection p = m.slopes().project(o);
+  const Projection p = m.surface().slopes().project(o);
   return p.c > 0 ? 6 * (p.c / p.s) * (p.c / p.s) : 0;
 }
 
@@ -72,10 +72,10 @@ TEST_CASE("single precision is within 8 ulp of a float of the double value") {
   const Rows rows(3 * 256 + 7); // whole blocks, and a rest
   for (const Material& m : materials())
     for (const QuantityInfo& info : quantities()) {
-      if (info.quantity == Quantity::lambda && !m.has_lambda()) continue;
+      if (info.quantity == Quantity::lambda && !m.surface().has_lambda()) continue;
       for (const bool with_m : {true, false}) {
         const Batch batch{rows.n, rows.side(0), rows.side(3), with_m ? rows.side(6) : Columns{}};
-        const auto channels = static_cast<std::size_t>(info.coloured ? m.channels() : 1);
+        const auto channels = static_cast<std::size_t>(info.coloured() ? m.channels() : 1);
         std::vector<float> single(rows.n * channels);
         std::vector<double> exact(rows.n * channels);
         evaluate(m, info.quantity, batch, single.data());

@@ -12,10 +12,18 @@ using namespace test;
 
 namespace {
 
-MaterialDescription nayar(double sigma, const std::string& facet) {
-  MaterialDescription description = distribution("oren_nayar", {{"sigma", sigma}});
+TermDescription nayar(double sigma) {
+  TermDescription description = distribution("oren_nayar", {{"sigma", sigma}});
   description.masking.type = "v_cavity";
-  description.facet = facet;
+  description.type = "facet_diffuse";
+  return description;
+}
+
+TermDescription fitted_nayar(double sigma, const std::string& form) {
+  TermDescription description;
+  description.name = description.type = "oren_nayar";
+  description.values.set("sigma", sigma);
+  description.values.set("form", form);
   return description;
 }
 
@@ -123,7 +131,7 @@ TEST_CASE("Oren and Nayar's distribution against 20-digit values") {
                          {3, 0.1, 0.17020127141471118},
                          {3, 1.5, 2.1139479406716346},
                          {1000, 1.5, 2.249945589243212}}) {
-    const Material m = build(nayar(row.sigma, "diffuse"));
+    const Material m = build(nayar(row.sigma));
     INFO("sigma = " << row.sigma << ", theta = " << row.theta);
     const Direction normal = from_angles(row.theta, 2);
     CHECK(relative(value_at_normal(m, Quantity::d, {0, 0, 1}, normal), row.d) < 2e-14);
@@ -139,7 +147,7 @@ TEST_CASE("Eq. 31 in V-cavities is what the geometry of each groove gives") {
           std::tuple(1.3, 1.3, 1.9)}) {
       INFO("sigma = " << sigma);
       const Direction o = from_angles(theta_o, 0.2), i = from_angles(theta_i, 0.2 + azimuth);
-      const Estimate estimate = diffuse_brdf(build(nayar(sigma, "diffuse")), o, i);
+      const Estimate estimate = diffuse_brdf(build_microsurface(nayar(sigma)), o, i);
       CHECK(estimate.error <= 1e-10 * estimate.value);
       CHECK(relative(std::numbers::pi * estimate.value, by_grooves(sigma, o, i)) < 2e-5);
     }
@@ -147,9 +155,9 @@ TEST_CASE("Eq. 31 in V-cavities is what the geometry of each groove gives") {
 
 TEST_CASE("Oren and Nayar's full fit is near Eq. 31, and the qualitative one farther") {
   // sigma = 0.5 in the plane of incidence, both sides.
-  const Material exact = build(nayar(0.5, "diffuse"));
-  const auto worst = [&](const std::string& facet) {
-    const Material fitted = build(nayar(0.5, facet));
+  const Material exact = build(nayar(0.5));
+  const auto worst = [&](const std::string& form) {
+    const Material fitted = build(fitted_nayar(0.5, form));
     double most = 0;
     for (const double theta_o : {0.3, 0.8, 1.1})
       for (const double theta_i : {-1.2, -0.8, -0.2, 0.4, 1.0}) {
@@ -158,15 +166,15 @@ TEST_CASE("Oren and Nayar's full fit is near Eq. 31, and the qualitative one far
       }
     return most;
   };
-  const double direct = worst("oren_nayar_direct"), qualitative = worst("oren_nayar_qualitative");
+  const double direct = worst("direct"), qualitative = worst("qualitative");
   CHECK(direct < 0.1);
   CHECK(qualitative > 3 * direct);
-  CHECK(worst("oren_nayar") > direct); // with light that was reflected twice
+  CHECK(worst("full") > direct); // with light that was reflected twice
 }
 
 TEST_CASE("fits of Oren and Nayar are materials: brdf_cos, albedo, and what they refuse") {
   const Direction o = from_angles(0.9, 0.3), i = from_angles(0.4, 2);
-  const Material m = build(nayar(0.4, "oren_nayar"));
+  const Material m = build(fitted_nayar(0.4, "full"));
   CHECK(value(m, Quantity::brdf, o, i) == oren_nayar_brdf(OrenNayarFit::full, 0.4, o, i));
   CHECK(value(m, Quantity::brdf_cos, o, i) == doctest::Approx(value(m, Quantity::brdf, o, i) * i.z).epsilon(1e-15));
   // The albedo by a midpoint rule.
@@ -183,9 +191,9 @@ TEST_CASE("fits of Oren and Nayar are materials: brdf_cos, albedo, and what they
   CHECK(albedo.error <= 1e-9);
   CHECK(albedo.value == doctest::Approx(sum).epsilon(1e-5));
   // In V-cavities with masking and shadowing, single scattering loses light.
-  CHECK(compute(Integral::albedo, build(nayar(0.4, "diffuse")), o, 1e-3).value < 1);
+  CHECK(compute(Integral::albedo, build(nayar(0.4)), o, 1e-3).value < 1);
 
-  const auto refused = [](MaterialDescription description, const std::string& pointer) {
+  const auto refused = [](TermDescription description, const std::string& pointer) {
     try {
       build(description);
     } catch (const MaterialError& error) {
@@ -195,21 +203,22 @@ TEST_CASE("fits of Oren and Nayar are materials: brdf_cos, albedo, and what they
     return false;
   };
   CHECK(refused(distribution("oren_nayar", {{"sigma", 0.4}}), "/masking/type"));
-  MaterialDescription mixed = mixture({{1, distribution("oren_nayar", {{"sigma", 0.4}}).distribution},
-                                       {1, distribution("ggx", {{"alpha", 0.4}}).distribution}});
+  TermDescription mixed = mixture({{1, distribution("oren_nayar", {{"sigma", 0.4}}).distribution},
+                                   {1, distribution("ggx", {{"alpha", 0.4}}).distribution}});
   CHECK(refused(mixed, "/masking/type"));
   mixed.masking.type = "v_cavity";
   CHECK_FALSE(refused(mixed, ""));
-  MaterialDescription ggx = describe("ggx", 0.4, "v_cavity");
-  ggx.facet = "oren_nayar_direct";
-  CHECK(refused(ggx, "/facet"));
+  TermDescription both = describe("ggx", 0.4);
+  both.type = "oren_nayar";
+  both.values.set("sigma", 0.4);
+  CHECK(refused(both, "/distribution"));
 }
 
 TEST_CASE(
     "V-cavities of Oren and Nayar's distribution conserve the visible area, though Smith's would see none of it") {
   for (const double sigma : {0.05, 0.5, 2.0})
     for (const double theta : {0.0, 0.9, 1.5}) {
-      const Material m = build(nayar(sigma, "diffuse"));
+      const Material m = build(nayar(sigma));
       const Direction o = from_angles(theta, 0.4);
       for (const auto integral : {Integral::visible_norm, Integral::weak_furnace}) {
         const Estimate e = compute(integral, m, o, 1e-8);
@@ -217,7 +226,7 @@ TEST_CASE(
         CHECK(std::fabs(e.value - 1) <= e.error);
         CHECK(e.error <= 1e-8);
       }
-      const Estimate e = diffuse_weak_furnace(m, o, 1e-8);
+      const Estimate e = diffuse_weak_furnace(m.surface(), o, 1e-8);
       CHECK(std::fabs(e.value - 1) <= e.error);
       CHECK(e.error <= 1e-8);
     }

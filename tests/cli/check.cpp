@@ -37,7 +37,7 @@ TEST_CASE("check: what is of a microsurface does not apply to a BRDF that is a f
   const std::string text = check_output(folder, "brdfplot check configs/materials/oren_nayar.json");
   for (const char* title : {"Eq. 14", "Eq. 18", "Eq. 36", "Eq. 37", "D normalized", "G1 in [0, 1]", "G1 = 1 at normal"})
     CHECK(text.find("  - " + std::string(title)) != std::string::npos);
-  CHECK(text.find("does not apply: the BRDF is a fit, of no microsurface") != std::string::npos);
+  CHECK(text.find("does not apply: the BRDF has no microsurface") != std::string::npos);
   CHECK(text.find("  ✓ reciprocal") != std::string::npos);
   CHECK(text.find("  ✗ energy <= 1         0.017") != std::string::npos);
   CHECK(text.find("  - physically based") != std::string::npos);

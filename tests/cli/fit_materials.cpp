@@ -92,7 +92,7 @@ struct Allowance {
 /// says. phi: |d G2| <= |d lambda| min(Lambda) G2, with |d lambda / d phi| <= 4.41, of 4 roundings of a unit vector.
 Allowance allowance(const Material& material, const std::vector<double>& p, double unit) {
   const auto of_side = [&](const Direction& d) {
-    const SlopeMap& map = material.slopes();
+    const SlopeMap& map = material.surface().slopes();
     const double terms = std::fabs(d.z) + std::fabs(d.x * map.mean_x) + std::fabs(d.y * map.mean_y);
     return 8 * unit + (map.centred() ? 0 : 5 * unit * terms / map.project(d).c);
   };
@@ -166,7 +166,7 @@ TEST_CASE("an anisotropic material without slope keeps the functions of a cosine
   const Material material =
       build(config::load_material((folder.path() / "configs/materials/brushed_steel.json").string()));
   const Direction o = direction(0.25, 1);
-  const double alpha = material.slopes().project(o).s / std::hypot(o.x, o.y);
+  const double alpha = material.surface().slopes().project(o).s / std::hypot(o.x, o.y);
   const auto row = run_fit_program(folder, "brushed_steel", {{o.z, alpha, 0, 0}})[0];
   const double g1 = evaluate(material, Quantity::g1, o, std::nullopt, std::nullopt);
   for (std::size_t k = 0; k < 4; ++k) {

@@ -129,8 +129,8 @@ TEST_CASE("list") {
   const Folder folder;
   const std::string all = check_output(folder, "brdfplot list");
   std::string parts;
-  for (const char* section :
-       {"distributions", "masking", "shadowing", "fresnel", "quantities", "surfaces", "measures", "profiles"}) {
+  for (const char* section : {"distributions", "masking", "shadowing", "fresnel", "terms", "quantities", "surfaces",
+                              "measures", "profiles"}) {
     const std::string part = check_output(folder, "brdfplot list " + std::string(section));
     CHECK_FALSE(part.empty());
     parts += (parts.empty() ? "" : "\n") + part;

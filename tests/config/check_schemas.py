@@ -56,6 +56,10 @@ GOOD = [
     ("material", "/name", "α"),
     ("material", "/facet", "specular"),
     ("material", "/facet", "diffuse"),
+    ("material", "", {"terms": [{"type": "lambert"}]}),
+    ("material", "", {"name": "m", "terms": [{"type": "lambert", "weight": [1, 0.5, 0], "albedo": [0.1, 1, 0]},
+                                             {"type": "mirror", "name": "coat", "weight": 2, **MATERIAL}]}),
+    ("material", "", {"terms": [{"type": "facet_diffuse", "albedo": 0.5, **MATERIAL}, {"type": "oren_nayar", "sigma": 0.5}]}),
     ("material", "/distribution", {"type": "beckmann", "alpha_x": 1, "alpha_y": 2, "correlation": -0.5, "mean_slope": [0, 1]}),
     ("material", "/distribution", {"type": "phong", "exponent": 0}),
     ("material", "/distribution", {"type": "gtr", "alpha": 0.1, "gamma": 2}),
@@ -88,6 +92,17 @@ GOOD = [
 ]
 
 BAD = [
+    # Terms: one or more, each with what its type takes
+    ("material", "", {"terms": []}),
+    ("material", "", {"terms": [{"type": "lambert"}], **MATERIAL}),
+    ("material", "", {"terms": [{"type": "lambert", **MATERIAL}]}),
+    ("material", "", {"terms": [{"type": "mirror"}]}),
+    ("material", "", {"terms": [{"type": "miror", **MATERIAL}]}),
+    ("material", "", {"terms": [{"type": "lambert", "albedo": 1.5}]}),
+    ("material", "", {"terms": [{"type": "lambert", "weight": -1}]}),
+    ("material", "", {"terms": [{"type": "lambert", "weight": [1, 1]}]}),
+    ("material", "", {"terms": [{"type": "facet_diffuse", **MATERIAL, "fresnel": {"type": "none"}}]}),
+    ("material", "", {"terms": [{"type": "oren_nayar"}]}),
     # Unknown and missing keys
     ("material", "/colour", 1),
     ("material", "/distribution/alhpa", 1),

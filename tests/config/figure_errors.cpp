@@ -64,7 +64,7 @@ TEST_CASE("figures: simulated terms") {
       {walked(walk + R"(, "facets": "diffuse")"), "", "/panels/0/series/0", "accepted: conductor, dielectric"},
       {walked(R"("source": "surface")"),
        R"("material": {"distribution": {"type": "ggx", "alpha": 0.5}, "facet": "diffuse"})", "/panels/0/series/0",
-       "found \"facet\": \"diffuse\", accepted: specular"},
+       "found \"facet_diffuse\", accepted: one term, mirror"},
       {walked(walk, R"("phi_o": 1)"), "", "/panels/0/series/0", "needs theta_o"},
       {walked(walk, R"("theta_o": 2)"), "", "/panels/0/series/0", "below the horizon"},
       {walked(walk, R"("theta_o": 1, "distribution": "phong")"), "", "/panels/0/series/0", "beckmann and ggx"},

@@ -31,9 +31,12 @@ void check_all(const std::vector<BadMaterial>& cases) {
   }
 }
 
-MaterialDescription load(const std::string& text) {
+TermDescription load(const std::string& text) {
   const TempFolder folder;
-  return config::load_material(folder.write("stem of.the file.json", text));
+  MaterialDescription material = config::load_material(folder.write("stem of.the file.json", text));
+  TermDescription& term = material.terms.at(0);
+  term.name = material.name;
+  return term;
 }
 
 } // namespace
@@ -53,7 +56,7 @@ TEST_CASE("materials: names, parameters and what is left to defaults") {
     "distribution": {"type": "beckmann", "alpha_x": 1, "alpha_y": 0.25, "correlation": -0.5, "mean_slope": [0.5, -1]},
     "shadowing": {"type": "height_direction_correlated", "lambda": "ashikhmin"}})");
   CHECK(full.name == "α");
-  const SlopeMap slopes = build(full).slopes();
+  const SlopeMap slopes = build(full).surface().slopes();
   CHECK(slopes.alpha_x == 1);
   CHECK(slopes.alpha_y == 0.25);
   CHECK(slopes.correlation == -0.5);
@@ -67,14 +70,14 @@ TEST_CASE("materials: a Fresnel value is a number or three") {
   CHECK(build(grey).channels() == 1);
   const auto coloured = load(with(R"("fresnel": {"type": "conductor", "eta": [0.1, 0.4, 1.4], "k": 2})"));
   CHECK(build(coloured).channels() == 3);
-  const auto conductor = std::get<ConductorFresnel>(build(coloured).fresnel);
+  const auto conductor = std::get<ConductorFresnel>(*build(coloured).terms[0].fresnel());
   CHECK(conductor.eta == Rgb{0.1, 0.4, 1.4});
   CHECK(conductor.k == Rgb{2, 2, 2});
 }
 
 TEST_CASE("materials: shadowing follows from masking where it is not given") {
   const auto shadowing_of = [](const std::string& masking) {
-    return build(load(with(R"("masking": {"type": ")" + masking + "\"}"))).shadowing;
+    return build(load(with(R"("masking": {"type": ")" + masking + "\"}"))).surface().shadowing;
   };
   for (const std::string masking : {"smith", "smith_rational", "schlick_smith", "schlick_smith_rational"})
     CHECK_MESSAGE(std::holds_alternative<HeightCorrelated>(shadowing_of(masking)), masking);

@@ -64,7 +64,7 @@ TEST_CASE("a byte-order mark and CR LF are no errors") {
   const TempFolder folder;
   const auto path =
       folder.write("m.json", "\xEF\xBB\xBF{\r\n\"distribution\": {\"type\": \"ggx\", \"alpha\": 1}\r\n}\r\n");
-  CHECK(config::load_material(path).distribution.type == "ggx");
+  CHECK(config::load_material(path).terms.at(0).distribution.type == "ggx");
 }
 
 TEST_CASE("an endless token does not make an endless message") {

@@ -7,7 +7,7 @@ namespace {
 using namespace brdfplot;
 
 Material ggx() {
-  MaterialDescription description;
+  TermDescription description;
   description.distribution.type = "ggx";
   description.distribution.values.set("alpha", 0.5);
   return build(description);

@@ -24,8 +24,8 @@ void check_same(const Material& is, const Material& expected, double bound) {
     }
 }
 
-double largest_difference_of_g1(const MaterialDescription& exact, const std::string& fit, bool relatively) {
-  MaterialDescription with_fit = exact;
+double largest_difference_of_g1(const TermDescription& exact, const std::string& fit, bool relatively) {
+  TermDescription with_fit = exact;
   with_fit.masking.type = fit;
   const Material a = build(exact), b = build(with_fit);
   double worst = 0;
@@ -40,7 +40,7 @@ double largest_difference_of_g1(const MaterialDescription& exact, const std::str
 } // namespace
 
 TEST_CASE("a shape as a formula is the built-in distribution of that shape") {
-  const auto as_custom = [](MaterialDescription description, const std::string& shape) {
+  const auto as_custom = [](TermDescription description, const std::string& shape) {
     description.distribution.type = "custom";
     description.distribution.values.set("shape", shape);
     return build(description);
@@ -108,7 +108,7 @@ TEST_CASE("a mixture with any masking function that does not ask for one distrib
   const auto parts = mixture({{1, describe("ggx", 0.1).distribution}, {1, describe("sheen", 0.6).distribution}});
   for (const auto* masking : {"smith", "smith_rational", "v_cavity", "implicit", "schlick_smith", "kelemen"}) {
     INFO(masking);
-    MaterialDescription description = parts;
+    TermDescription description = parts;
     description.masking.type = masking;
     const double is = value(build(description), Quantity::brdf, from_angles(1, 0), from_angles(0.7, 3));
     CHECK(is > 0);
@@ -143,8 +143,8 @@ TEST_CASE("published fits are as far off as they are: sheen in G1, Student's t r
 TEST_CASE("roughness and the two anisotropies are alphas") {
   const auto same = [](const std::vector<std::pair<std::string, double>>& keys, double alpha_x, double alpha_y) {
     const Material m = build(distribution("ggx", keys));
-    CHECK(m.slopes().alpha_x == doctest::Approx(alpha_x).epsilon(1e-15));
-    CHECK(m.slopes().alpha_y == doctest::Approx(alpha_y).epsilon(1e-15));
+    CHECK(m.surface().slopes().alpha_x == doctest::Approx(alpha_x).epsilon(1e-15));
+    CHECK(m.surface().slopes().alpha_y == doctest::Approx(alpha_y).epsilon(1e-15));
   };
   same({{"roughness", 0.5}}, 0.25, 0.25);
   same({{"roughness", 0.5}, {"disney_anisotropy", 0}}, 0.25, 0.25);
@@ -156,11 +156,11 @@ TEST_CASE("roughness and the two anisotropies are alphas") {
 }
 
 TEST_CASE("figures may sweep any of the keys: what cannot stand beside it gives way") {
-  MaterialDescription description = distribution("ggx", {{"roughness", 0.5}, {"disney_anisotropy", 0.3}});
+  TermDescription description = distribution("ggx", {{"roughness", 0.5}, {"disney_anisotropy", 0.3}});
   set_parameter(description, "roughness", 0.7);
-  CHECK(build(description).slopes().alpha_x == doctest::Approx(0.49 / std::sqrt(1 - 0.27)));
+  CHECK(build(description).surface().slopes().alpha_x == doctest::Approx(0.49 / std::sqrt(1 - 0.27)));
   set_parameter(description, "imageworks_anisotropy", 0.5);
-  CHECK(build(description).slopes().alpha_x == doctest::Approx(0.49 * 1.5));
+  CHECK(build(description).surface().slopes().alpha_x == doctest::Approx(0.49 * 1.5));
   set_parameter(description, "alpha", 0.2);
-  CHECK(build(description).slopes().alpha_x == 0.2);
+  CHECK(build(description).surface().slopes().alpha_x == 0.2);
 }

@@ -33,7 +33,7 @@ TEST_CASE("a formula of G1 may depend on the normal") {
   const Material built_in = material("beckmann", 0.5, "v_cavity");
   const Material custom = build(with_formula(describe("beckmann", 0.5), "g1",
                                              "min(1, 2 * cos_theta_m * cos_theta / o_dot_m) + 0 * theta_m * phi_m"));
-  CHECK_FALSE(custom.has_lambda());
+  CHECK_FALSE(custom.surface().has_lambda());
   for (const double theta : {0.0, 0.9, 1.5}) {
     const Direction o = from_angles(theta, 0.4), m = from_angles(0.7, 0.2);
     CHECK(value_at_normal(custom, Quantity::g1, o, m) ==
@@ -45,7 +45,7 @@ TEST_CASE("a formula of G1 may depend on the normal") {
 }
 
 TEST_CASE("phi does not know the sign of a zero") {
-  MaterialDescription description = describe("ggx", 0.5, "custom");
+  TermDescription description = describe("ggx", 0.5, "custom");
   description.masking.values.set("lambda", std::string("2 + sin(phi / 2)"));
   const Material of_lambda = build(description);
   CHECK(lambda(of_lambda, {-0.6, -0.0, 0.8}) == lambda(of_lambda, {-0.6, 0.0, 0.8}));

@@ -93,11 +93,11 @@ TEST_CASE("the fitted factor is continuous where the elevations meet, and where 
 
 TEST_CASE("with the fitted factor G2 knows a surface up to an affine map") {
   const Material unit = build(shadowed(describe("beckmann", 1), "height_direction_correlated", "fitted"));
-  MaterialDescription description = general("beckmann", 0.3, 0.9, 0.6, {0.2, -0.3});
+  TermDescription description = general("beckmann", 0.3, 0.9, 0.6, {0.2, -0.3});
   const Material m = build(shadowed(description, "height_direction_correlated", "fitted"));
   const auto mapped = [&](const Direction& omega) {
-    const Vec2 h = m.slopes().on_unit_surface(omega);
-    return normalized({h[0], h[1], m.slopes().project(omega).c});
+    const Vec2 h = m.surface().slopes().on_unit_surface(omega);
+    return normalized({h[0], h[1], m.surface().slopes().project(omega).c});
   };
   std::mt19937_64 engine(5);
   std::uniform_real_distribution<double> turn(0, 2 * std::numbers::pi), cosine(0.3, 1);
@@ -108,7 +108,7 @@ TEST_CASE("with the fitted factor G2 knows a surface up to an affine map") {
     const auto g2 = [](const Material& of, const Direction& u, const Direction& v) {
       return evaluate(of, Quantity::g2, u, v, Direction{0, 0, 1});
     };
-    if (m.slopes().project(o).c > 0.05 && m.slopes().project(i).c > 0.05)
+    if (m.surface().slopes().project(o).c > 0.05 && m.surface().slopes().project(i).c > 0.05)
       CHECK(relative(g2(m, o, i), g2(unit, mapped(o), mapped(i))) < 1e-13);
   }
 }

@@ -46,7 +46,7 @@ TEST_CASE("every distribution of the list: int D cos = 1") {
   for (const auto& description : every_distribution()) {
     INFO(description.name);
     const Material m = build(description);
-    const SlopeMap& map = m.slopes();
+    const SlopeMap& map = m.surface().slopes();
     const bool symmetric = map.centred() && map.correlation == 0 && map.alpha_x == map.alpha_y;
     const double step = symmetric ? std::numbers::pi : 2 * std::numbers::pi / 1024;
     CHECK(area(m, std::min(map.alpha_x, map.alpha_y), step) == doctest::Approx(1).epsilon(1e-8));
@@ -74,11 +74,11 @@ TEST_CASE("every distribution of the list: Lambda is 0 at the normal, falls towa
   for (const auto& description : every_distribution()) {
     INFO(description.name);
     const Material m = build(description);
-    if (!m.has_lambda()) continue;
+    if (!m.surface().has_lambda()) continue;
     double before = 0;
     for (const double theta : {0.0, 1e-8, 0.01, 0.2, 0.8, 1.2, 1.5, 1.57, 1.5707963}) {
       const Direction o = from_angles(theta, 0.4);
-      const double c = m.slopes().project(o).c;
+      const double c = m.surface().slopes().project(o).c;
       if (!(c > 0)) continue;
       const double is = lambda(m, o);
       CHECK(is >= before);
@@ -96,7 +96,7 @@ TEST_CASE("every distribution of the list: visible normals are normalised at phi
       for (const double theta : {0.1, 1.0, 1.5}) {
         INFO(description.name << ", theta = " << theta << ", phi = " << phi);
         const Direction o = from_angles(theta, phi * degree);
-        if (!(m.slopes().project(o).c > 0.01)) continue;
+        if (!(m.surface().slopes().project(o).c > 0.01)) continue;
         const Estimate norm = compute(Integral::visible_norm, m, o, 1e-8);
         // Normals whose density is infinite at the horizon (student_t, gamma < 2) take the integral longer than it has.
         CHECK(norm.error <= (description.distribution.type == "student_t" ? 1e-5 : 1e-8));
@@ -176,7 +176,7 @@ TEST_CASE("GTR's normalisation is that of RTR4, Eq. 9.47, where the print can be
 }
 
 TEST_CASE("Phong by alpha is Phong by exponent") {
-  MaterialDescription by_exponent = describe("phong", 1);
+  TermDescription by_exponent = describe("phong", 1);
   by_exponent.distribution.values = {};
   by_exponent.distribution.values.set("exponent", 2 / 0.09 - 2);
   const Direction normal = from_angles(0.4, 0);

@@ -34,8 +34,8 @@ double draw(const Bounds& bounds, Random& random) {
 }
 
 /// A distribution of random parameters, all of them of its spec but text.
-MaterialDescription draw(const ModelSpec& spec, Random& random) {
-  MaterialDescription description;
+TermDescription draw(const ModelSpec& spec, Random& random) {
+  TermDescription description;
   description.name = spec.type;
   description.distribution.type = spec.type;
   if (spec.type == "oren_nayar") description.masking.type = "v_cavity"; // Smith's is infinite
@@ -65,7 +65,7 @@ Direction draw_direction(Random& random) {
   return from_angles(random.uniform() < 0.5 ? small : std::numbers::pi / 2 - small, phi);
 }
 
-bool refused(const MaterialDescription& description) {
+bool refused(const TermDescription& description) {
   try {
     (void)build(description);
     return false;
@@ -74,7 +74,7 @@ bool refused(const MaterialDescription& description) {
   }
 }
 
-std::string refusal(const MaterialDescription& description) {
+std::string refusal(const TermDescription& description) {
   try {
     (void)build(description);
   } catch (const InputError& error) {
@@ -103,7 +103,7 @@ TEST_CASE("domains: at random corners of the whole of every distribution's, all 
   Random random(20, 1);
   for (const ModelSpec& spec : specs_of<DistributionList<>>())
     for (int k = 0; k < 60; ++k) {
-      const MaterialDescription description = draw(spec, random);
+      const TermDescription description = draw(spec, random);
       if (refused(description)) continue; // a combination
       const Material m = build(description);
       INFO(description.name);
@@ -124,7 +124,7 @@ TEST_CASE("domains: at random corners of the whole of every distribution's, all 
           CHECK(is >= 0);
           if (q == Quantity::brdf) CHECK(is < 1e300);
         }
-        if (!m.has_lambda() || !(m.slopes().project(o).c > 0)) continue;
+        if (!m.surface().has_lambda() || !(m.surface().slopes().project(o).c > 0)) continue;
         CHECK(std::isfinite(lambda(m, o)));
         CHECK(lambda(m, o) >= 0);
       }
@@ -137,10 +137,10 @@ TEST_CASE("domains: Lambda and D of GGX and Beckmann are exact at random corners
     for (int k = 0; k < 300; ++k) {
       const bool ggx = model == reference::Model::ggx;
       const ModelSpec spec = ggx ? Ggx::spec() : Beckmann::spec();
-      const MaterialDescription description = draw(spec, random);
+      const TermDescription description = draw(spec, random);
       if (refused(description)) continue;
       const Material m = build(description);
-      const SlopeMap& map = m.slopes();
+      const SlopeMap& map = m.surface().slopes();
       const reference::Stretch<Wide> stretch{map.alpha_x, map.alpha_y, map.correlation, map.mean_x, map.mean_y};
       const Direction o = draw_direction(random);
       const reference::Vector<Wide> wide{o.x, o.y, o.z};
@@ -163,7 +163,7 @@ TEST_CASE("domains: the area of what is seen is there at the ends, or an error s
   constexpr double tolerance = 1e-6;
   for (const ModelSpec& spec : specs_of<DistributionList<>>())
     for (int k = 0; k < 40; ++k) {
-      MaterialDescription description = draw(spec, random);
+      TermDescription description = draw(spec, random);
       if (spec.find("mean_slope") != nullptr) description.distribution.values.set("mean_slope", Vec2{0, 0});
       if (refused(description)) continue;
       const Material m = build(description);
@@ -172,7 +172,7 @@ TEST_CASE("domains: the area of what is seen is there at the ends, or an error s
       try {
         const Estimate area = compute(Integral::projected_area, m, o, tolerance);
         // Else it is refused: where slopes of 1e95, at which integrals end, still have a share in the mean slope.
-        if (m.has_lambda() && area.error <= tolerance) CHECK(std::fabs(area.value - o.z) <= area.error);
+        if (m.surface().has_lambda() && area.error <= tolerance) CHECK(std::fabs(area.value - o.z) <= area.error);
       } catch (const AccuracyError&) {
       }
     }
@@ -207,7 +207,7 @@ TEST_CASE("domains: beyond, a line names the key, the value and what is accepted
        {std::tuple("dielectric", "eta", 1e308), std::tuple("dielectric", "eta", 1e-308),
         std::tuple("conductor", "eta", 1e308), std::tuple("conductor", "k", 1e308),
         std::tuple("schlick", "exponent", 1e308)}) {
-    MaterialDescription description = describe("ggx", 0.5);
+    TermDescription description = describe("ggx", 0.5);
     description.fresnel.type = type;
     if (std::string(type) == "schlick") description.fresnel.values.set("f0", 0.04);
     if (std::string(type) == "conductor") {

@@ -15,9 +15,9 @@ namespace {
 
 /// a Lambda(a) of the profile or shape of a distribution.
 template <class D>
-double a_lambda(const MaterialDescription& description, double a) {
+double a_lambda(const TermDescription& description, double a) {
   const Material material = build(description);
-  const D& d = std::get<D>(material.distribution);
+  const D& d = std::get<D>(material.surface().distribution);
   if constexpr (requires { d.profile; })
     return d.profile.a_lambda(a);
   else
@@ -117,7 +117,7 @@ TEST_CASE("velvet: P22 where the base has all the weight but 1e-14, or next to n
                          Row{1000000.0, 1000000.0, 3000000.0, 3.9297556110330475918e-39}}) {
     INFO("alpha = " << row.alpha << ", amplitude = " << row.amplitude << ", slope = " << row.slope);
     const Material m = build(distribution("velvet", {{"alpha", row.alpha}, {"amplitude", row.amplitude}}));
-    CHECK(relative(std::get<Velvet>(m.distribution).profile.p22(row.slope * row.slope), row.p22) < 4e-15);
+    CHECK(relative(std::get<Velvet>(m.surface().distribution).profile.p22(row.slope * row.slope), row.p22) < 4e-15);
   }
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("tables of Lambda: 1e-10 of it down to 1e-290") {
     const std::string text =
         std::string(type) + ", " + key + " = " + std::to_string(parameter) + ", a = " + std::to_string(a);
     INFO(text);
-    MaterialDescription description = describe(type, std::string(key) == "alpha" ? parameter : 1);
+    TermDescription description = describe(type, std::string(key) == "alpha" ? parameter : 1);
     description.distribution.values.set(key, parameter);
     const std::string name = type;
     const double is = name == "ward"       ? a_lambda<Ward>(description, a)

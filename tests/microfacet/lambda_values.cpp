@@ -208,7 +208,7 @@ const Row rows[] = {
 // clang-format on
 
 Material make(const Row& row) {
-  MaterialDescription description = describe(row.type, row.alpha);
+  TermDescription description = describe(row.type, row.alpha);
   if (*row.key != 0) description.distribution.values.set(row.key, row.other);
   return build(description);
 }

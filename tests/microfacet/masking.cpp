@@ -61,7 +61,7 @@ TEST_CASE("V-cavity masking conserves the projected area of every pair of normal
   for (const auto& description :
        {describe("beckmann", 0.5, "v_cavity"), general("ggx", 0.3, 0.6, 0.2, {0.2, -0.1}, "v_cavity")}) {
     const Material m = build(description);
-    const SlopeMap& map = m.slopes();
+    const SlopeMap& map = m.surface().slopes();
     for (const double theta : {0.1, 0.8, 1.3, 1.5})
       for (const double x : {0.1, 0.7, 3.0}) {
         const Direction o = from_angles(theta, 0.4);
@@ -122,7 +122,7 @@ TEST_CASE("masking decreases with the angle and stays in [0, 1]") {
 }
 
 TEST_CASE("lambda_of takes another shape's Lambda, as Walter et al. 2007 suggest for Phong") {
-  MaterialDescription phong = describe("phong", 0.4);
+  TermDescription phong = describe("phong", 0.4);
   phong.masking.values.set("lambda_of", std::string("beckmann"));
   const Direction o = from_angles(1.3, 0);
   CHECK(relative(lambda(build(phong), o), lambda(material("beckmann", 0.4), o)) < 1e-15);

@@ -12,7 +12,7 @@ using namespace test;
 namespace {
 
 Material phong(double exponent) {
-  MaterialDescription description;
+  TermDescription description;
   description.name = "phong";
   description.distribution.type = "phong";
   description.distribution.values.set("exponent", exponent);

@@ -18,13 +18,16 @@ using namespace brdfplot::plot;
 
 constexpr double pi = std::numbers::pi;
 
-MaterialDescription material_of(const std::string& type, double alpha, const std::string& masking = "smith") {
-  MaterialDescription out{"m", {type, {}}, {masking, {}}, {}, {"none", {}}};
+TermDescription material_of(const std::string& type, double alpha, const std::string& masking = "smith") {
+  TermDescription out;
+  out.name = "m";
+  out.distribution.type = type;
+  out.masking.type = masking;
   out.distribution.values.set("alpha", alpha);
   return out;
 }
 
-Expression term(const std::string& quantity, const MaterialDescription& material, std::vector<Setting> at = {}) {
+Expression term(const std::string& quantity, const TermDescription& material, std::vector<Setting> at = {}) {
   Expression out;
   out.term = {quantity, material, std::move(at)};
   return out;
@@ -70,7 +73,7 @@ double interpolated(const Series& series, double x) {
   return series.y[k - 1] + t * (series.y[k] - series.y[k - 1]);
 }
 
-const MaterialDescription rough = material_of("ggx", 0.5);
+const TermDescription rough = material_of("ggx", 0.5);
 
 } // namespace
 
@@ -146,7 +149,7 @@ TEST_CASE("figures: narrow lobes are found wherever they are") {
   tilted.distribution.values.set("mean_slope", Vec2{0.37, -0.21});
   const double normal = std::atan(-0.37), azimuth = std::atan2(0.21, -0.37);
   const double both = std::atan(std::hypot(0.37, 0.21));
-  const std::vector<std::pair<MaterialDescription, Case>> cases = {
+  const std::vector<std::pair<TermDescription, Case>> cases = {
       {smooth, {"d", "theta_m", -1.5, 1.4, {}, 0}},
       {smooth, {"p22", "slope", -1, 2.1, {}, 0}},
       {smooth, {"brdf", "theta_i", -1.5, 1.4, {{"theta_o", 0.7}}, -0.7}},

@@ -66,7 +66,10 @@ double nearest(const Curve& curve, double x) {
 }
 
 Material material_of(const std::string& type, double alpha, const std::string& masking = "smith") {
-  MaterialDescription description{"m", {type, {}}, {masking, {}}, {}, {"none", {}}};
+  TermDescription description;
+  description.name = "m";
+  description.distribution.type = type;
+  description.masking.type = masking;
   description.distribution.values.set("alpha", alpha);
   return build(description);
 }

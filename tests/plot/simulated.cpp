@@ -101,16 +101,16 @@ TEST_CASE("what defines a simulation is in its key, and nothing else") {
   changed.simulate->paths = 30000;
   CHECK(differs(changed));
   Term diffuse = changed;
-  diffuse.material.facet = "diffuse";
+  diffuse.material.terms[0].type = "facet_diffuse";
   CHECK(differs(diffuse));
   diffuse.simulate->facets = "diffuse";
   CHECK_FALSE(differs(diffuse));
-  changed.material.distribution.values.set("alpha", 0.700001);
+  changed.material.terms[0].distribution.values.set("alpha", 0.700001);
   CHECK(differs(changed));
-  changed.material.distribution.type = "beckmann";
+  changed.material.terms[0].distribution.type = "beckmann";
   CHECK(differs(changed));
-  changed.material.fresnel = {.type = "schlick", .values = {}};
-  changed.material.fresnel.values.set("f0", 0.1);
+  changed.material.terms[0].fresnel = {.type = "schlick", .values = {}};
+  changed.material.terms[0].fresnel.values.set("f0", 0.1);
   CHECK(differs(changed));
   changed.at = {{"theta_o", 1.1}};
   CHECK(differs(changed));
@@ -119,7 +119,7 @@ TEST_CASE("what defines a simulation is in its key, and nothing else") {
 TEST_CASE("a simulated series of diffuse facets shows diffuse facets") {
   Term term = walked("brdf_cos", "1", {{"theta_o", 30 * degree}, {"theta_i", -40 * degree}});
   term.material = describe("ggx", 0.5);
-  term.material.facet = "diffuse";
+  term.material.terms[0].type = "facet_diffuse";
   const double truth = evaluate(build(term.material), Quantity::brdf_cos, from_angles(30 * degree, 0),
                                 from_angles(-40 * degree, 0), std::nullopt);
   CHECK(truth == doctest::Approx(0.169).epsilon(0.01));
@@ -148,7 +148,7 @@ TEST_CASE("facets that are not simulated are refused by name") {
   Term term = walked("albedo", "1", {{"theta_o", 0.5}});
   term.simulate->facets = "diffuse";
   CHECK(refusal(term).find("accepted: conductor, dielectric") != std::string::npos);
-  term.material.facet = "diffuse";
+  term.material.terms[0].type = "facet_diffuse";
   CHECK(refusal(term).empty());
   for (const char* facets : {"conductor", "dielectric"}) {
     term.simulate->facets = facets;
@@ -156,15 +156,15 @@ TEST_CASE("facets that are not simulated are refused by name") {
   }
   term.simulate->facets.clear();
   term.simulate->source = "surface";
-  CHECK(refusal(term).find("found \"facet\": \"diffuse\", accepted: specular") != std::string::npos);
-  term.material.facet = "specular";
+  CHECK(refusal(term).find("found \"facet_diffuse\", accepted: one term, mirror") != std::string::npos);
+  term.material.terms[0].type = "mirror";
   CHECK(refusal(term).empty());
 }
 
 TEST_CASE("the walk on a coloured material is that of the channel which is named") {
   Term term = walked("albedo", "all", {{"theta_o", 0.5}});
-  term.material.fresnel.type = "schlick";
-  term.material.fresnel.values.set("f0", Rgb{0.9, 0.5, 0.1});
+  term.material.terms[0].fresnel.type = "schlick";
+  term.material.terms[0].fresnel.values.set("f0", Rgb{0.9, 0.5, 0.1});
   CHECK(refusal(term).find("\"r\", \"g\", \"b\"") != std::string::npos);
   const auto albedo = [](const Term& one) { return compute(figure("phi_o", 0, 0.1, {one})).panels[0].series[0].y[0]; };
   Term grey = term;
@@ -173,7 +173,7 @@ TEST_CASE("the walk on a coloured material is that of the channel which is named
   for (const auto& [channel, f0] : channels) {
     Term named = term;
     named.at.push_back({"channel", channel});
-    grey.material.fresnel.values.set("f0", f0);
+    grey.material.terms[0].fresnel.values.set("f0", f0);
     CHECK(albedo(named) == albedo(grey));
     CHECK(keys.insert(simulations(figure("phi_o", 0, 0.1, {named})).at(0).key).second);
   }
@@ -228,7 +228,7 @@ TEST_CASE("a lobe is compared in numbers with rays on surfaces") {
 
 TEST_CASE("rays on an anisotropic surface keep the azimuth, from the normal and on either side of the viewer") {
   // Smoother along y, and stretched along the diagonal: azimuths of opposite sign differ.
-  const auto measured = [](const MaterialDescription& material, double theta_o, double phi_i) {
+  const auto measured = [](const TermDescription& material, double theta_o, double phi_i) {
     Term term{"g2", material, {{"theta_o", theta_o}, {"theta_i", 75 * degree}}, Simulate{}};
     term.simulate->source = "surface";
     term.simulate->paths = 20000;

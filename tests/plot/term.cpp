@@ -16,7 +16,7 @@ using plot::Term;
 
 constexpr double pi = std::numbers::pi;
 
-double value(const std::string& quantity, const MaterialDescription& material, const std::vector<Setting>& at) {
+double value(const std::string& quantity, const TermDescription& material, const std::vector<Setting>& at) {
   return plot::TermFunction({quantity, material, at}, {}, 1e-9)({}).at(0);
 }
 
@@ -27,8 +27,11 @@ public:
   double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   double log_in(double low, double high) { return std::exp(in(std::log(low), std::log(high))); }
 
-  MaterialDescription material(const std::string& type, const std::string& masking = "smith") {
-    MaterialDescription out{"random", {type, {}}, {masking, {}}, {}, {"none", {}}};
+  TermDescription material(const std::string& type, const std::string& masking = "smith") {
+    TermDescription out;
+    out.name = "random";
+    out.distribution.type = type;
+    out.masking.type = masking;
     out.distribution.values.set("alpha_x", log_in(0.05, 2));
     out.distribution.values.set("alpha_y", log_in(0.05, 2));
     out.distribution.values.set("correlation", in(-0.9, 0.9));
@@ -83,6 +86,22 @@ std::vector<Setting> shear(Random& random) {
 
 } // namespace
 
+TEST_CASE("stretching keeps what else a distribution has") {
+  TermDescription material;
+  material.name = "m";
+  material.distribution.type = "student_t";
+  material.distribution.values.set("alpha", 0.4);
+  material.distribution.values.set("gamma", 3.0);
+  plot::Configuration configuration(material);
+  configuration.set({"stretch_x", 2.0});
+  configuration.set({"shear_y", 0.25});
+  const Microsurface surface = configuration.ready().material.surface();
+  CHECK(std::get<StudentT>(surface.distribution).shape.gamma == 3);
+  CHECK(surface.slopes().alpha_x == 0.2);
+  CHECK(surface.slopes().alpha_y == 0.4);
+  CHECK(surface.slopes().mean_y == 0.25);
+}
+
 TEST_CASE("stretching and shearing a whole configuration leaves Smith's masking as it was") {
   for (const std::string type : {"beckmann", "ggx"})
     for (const std::string quantity : {"g1", "lambda"}) {
@@ -103,21 +122,27 @@ TEST_CASE("stretching and shearing leaves the masking of V-cavities as it was") 
 }
 
 TEST_CASE("stretching changes slopes: alpha / stretch, and density times the area") {
-  MaterialDescription material{"m", {"ggx", {}}, {"smith", {}}, {}, {"none", {}}};
+  TermDescription material;
+  material.name = "m";
+  material.distribution.type = "ggx";
+  material.masking.type = "smith";
   material.distribution.values.set("alpha", 0.5);
   plot::Configuration configuration(material);
   configuration.set({"stretch_x", 2.0});
   configuration.set({"shear_y", 0.25});
   const auto ready = configuration.ready();
-  CHECK(ready.material.slopes().alpha_x == 0.25);
-  CHECK(ready.material.slopes().alpha_y == 0.5);
-  CHECK(ready.material.slopes().mean_y == 0.25);
+  CHECK(ready.material.surface().slopes().alpha_x == 0.25);
+  CHECK(ready.material.surface().slopes().alpha_y == 0.5);
+  CHECK(ready.material.surface().slopes().mean_y == 0.25);
   const std::vector<Setting> at = {{"theta_m", 0.3}, {"phi_m", 1.0}};
   CHECK(value("p22", material, with(at, {{"stretch_x", 2.0}})) == doctest::Approx(2 * value("p22", material, at)));
 }
 
 TEST_CASE("stretching and shearing need a shape-invariant distribution and a factor above 0") {
-  MaterialDescription phong{"m", {"phong", {}}, {"smith", {}}, {}, {"none", {}}};
+  TermDescription phong;
+  phong.name = "m";
+  phong.distribution.type = "phong";
+  phong.masking.type = "smith";
   phong.distribution.values.set("exponent", 20.0);
   const std::vector<Setting> at = {{"theta_o", 1.0}};
   CHECK_NOTHROW(value("g1", phong, with(at, {{"stretch_x", 1.0}})));
@@ -143,7 +168,7 @@ TEST_CASE("`a` sets theta_o at the roughness along phi_o") {
     configuration.set({"phi_o", phi});
     const auto ready = configuration.ready();
     REQUIRE(ready.o);
-    const Projection p = ready.material.slopes().project(*ready.o);
+    const Projection p = ready.material.surface().slopes().project(*ready.o);
     CHECK(p.c / p.s == doctest::Approx(a).epsilon(1e-12));
     const double ax = material.distribution.values.number("alpha_x"),
                  ay = material.distribution.values.number("alpha_y");
@@ -228,7 +253,7 @@ TEST_CASE("a surface is built once for all rows that it has, and rows are what e
 namespace {
 
 /// Gold, as SchlickFresnel has it.
-MaterialDescription gold() {
+TermDescription gold() {
   auto material = Random(7).material("beckmann");
   material.fresnel.type = "schlick";
   material.fresnel.values.set("f0", Rgb{1, 0.71, 0.29});
@@ -304,15 +329,15 @@ TEST_CASE("setting variables: parameters, models, and what nothing has") {
   auto material = Random(5).material("ggx");
   plot::Configuration configuration(material);
   configuration.set({"alpha", 0.5});
-  CHECK(configuration.ready().material.slopes().alpha_y == 0.5);
+  CHECK(configuration.ready().material.surface().slopes().alpha_y == 0.5);
   configuration.set({"distribution", "beckmann"});
   configuration.set({"masking", "v_cavity"});
   const auto ready = configuration.ready();
-  CHECK(std::holds_alternative<Beckmann>(ready.material.distribution));
-  CHECK(std::holds_alternative<VCavity>(ready.material.masking));
-  CHECK(std::holds_alternative<Minimum>(ready.material.shadowing));
+  CHECK(std::holds_alternative<Beckmann>(ready.material.surface().distribution));
+  CHECK(std::holds_alternative<VCavity>(ready.material.surface().masking));
+  CHECK(std::holds_alternative<Minimum>(ready.material.surface().shadowing));
   configuration.set({"shadowing", "separable"});
-  CHECK(std::holds_alternative<Separable>(configuration.ready().material.shadowing));
+  CHECK(std::holds_alternative<Separable>(configuration.ready().material.surface().shadowing));
   CHECK_THROWS_WITH_AS(configuration.set({"gamma", 1.0}), doctest::Contains("unknown variable \"gamma\""), InputError);
   CHECK_THROWS_WITH_AS(configuration.set({"stretchx", 1.0}), doctest::Contains("\"stretch_x\"?"), InputError);
   CHECK_THROWS_WITH_AS(configuration.set({"masking", "smithy"}), doctest::Contains("\"smith\"?"), InputError);

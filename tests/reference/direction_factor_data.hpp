@@ -82,7 +82,7 @@ inline double rms_lambda(const std::vector<Row>& rows, const Factor& factor) {
 enum class Lambda { measured, smith };
 
 inline double smith(double alpha, double theta) {
-  MaterialDescription description;
+  TermDescription description;
   description.distribution.type = "beckmann";
   description.distribution.values.set("alpha", alpha);
   return evaluate(build(description), Quantity::lambda, from_angles(theta, 0), std::nullopt, std::nullopt);

@@ -155,7 +155,7 @@ TEST_CASE("standard errors are what seeds scatter by: a given height map, by its
 }
 
 TEST_CASE("standard errors are what seeds scatter by: the walk on Smith's surface") {
-  MaterialDescription metal = describe("ggx", 0.6);
+  TermDescription metal = describe("ggx", 0.6);
   metal.fresnel.type = "conductor";
   metal.fresnel.values.set("eta", 0.2);
   metal.fresnel.values.set("k", 3.0);

@@ -21,8 +21,8 @@ WalkResult walk_from(const Material& material, const Direction& o, std::vector<D
 }
 
 Material diffuse(const std::string& distribution, double alpha) {
-  MaterialDescription description = describe(distribution, alpha);
-  description.facet = "diffuse";
+  TermDescription description = describe(distribution, alpha);
+  description.type = "facet_diffuse";
   return build(description);
 }
 
@@ -43,7 +43,7 @@ double score(const Measured& measured, double truth) {
 
 Material with_fresnel(const std::string& distribution, double alpha, const std::string& type, const std::string& key,
                       double value) {
-  MaterialDescription description = describe(distribution, alpha);
+  TermDescription description = describe(distribution, alpha);
   description.fresnel = {.type = type, .values = {}};
   description.fresnel.values.set(key, value);
   return build(description);

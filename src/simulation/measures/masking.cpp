@@ -1,7 +1,7 @@
 /// \file
 /// G1 on average and by normal.
 
-#include "brdf/evaluate.hpp"
+#include "brdf/surface_quantities.hpp"
 #include "simulation/measures/measure.hpp"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Smith's G1 of the distribution that the surface is meant to have.
-double smith_g1(const std::optional<Material>& smith, const Direction& omega) {
+double smith_g1(const std::optional<Microsurface>& smith, const Direction& omega) {
   return smith ? evaluate(*smith, Quantity::g1, omega, std::nullopt, std::nullopt) : nan;
 }
 
 class G1 : public Measure {
 public:
-  G1(const MeasureDescription& description, std::optional<Material> smith)
+  G1(const MeasureDescription& description, std::optional<Microsurface> smith)
       : id_(description.id), views_(views(description)), smith_(std::move(smith)) {}
   std::size_t tasks() const override { return views_.size(); }
   std::size_t width() const override { return width_; }
@@ -75,14 +75,14 @@ private:
   static constexpr std::size_t width_ = 5;
   std::string id_;
   std::vector<View> views_;
-  std::optional<Material> smith_;
+  std::optional<Microsurface> smith_;
 };
 
 /// Bins of the slope along the azimuth of omega_o (the direction in which the facet rises towards the viewer counts
 /// negative: it faces away), over the horizontal span in which all but a few facets lie.
 class G1ByNormal : public Measure {
 public:
-  G1ByNormal(const MeasureDescription& description, std::optional<Material> smith)
+  G1ByNormal(const MeasureDescription& description, std::optional<Microsurface> smith)
       : id_(description.id), views_(views(description)), smith_(std::move(smith)),
         bins_(static_cast<std::size_t>(description.bins)) {}
   std::size_t tasks() const override { return views_.size(); }
@@ -135,18 +135,18 @@ private:
 
   std::string id_;
   std::vector<View> views_;
-  std::optional<Material> smith_;
+  std::optional<Microsurface> smith_;
   std::size_t bins_;
 };
 
 } // namespace
 
-std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Material>& smith) {
+std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Microsurface>& smith) {
   return std::make_unique<G1>(description, smith);
 }
 
 std::unique_ptr<Measure> make_g1_by_normal(const MeasureDescription& description,
-                                           const std::optional<Material>& smith) {
+                                           const std::optional<Microsurface>& smith) {
   return std::make_unique<G1ByNormal>(description, smith);
 }
 

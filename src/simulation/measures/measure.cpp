@@ -30,7 +30,7 @@ void Facing::trace(const Tracer& tracer, const Direction& direction, TraceCounts
   counts.coherent += points.size();
 }
 
-std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Material>& smith) {
+std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Microsurface>& smith) {
   if (description.type == "g1") return make_g1(description, smith);
   if (description.type == "g1_by_normal") return make_g1_by_normal(description, smith);
   if (description.type == "g2") return make_g2(description);

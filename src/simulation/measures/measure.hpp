@@ -2,8 +2,8 @@
 /// What every measure of a scene does.
 #pragma once
 
-#include "brdf/material.hpp"
 #include "math/random.hpp"
+#include "microfacet/microsurface.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/simulate.hpp"
 #include "simulation/tally.hpp"
@@ -33,11 +33,12 @@ public:
   virtual Table tabulate(const std::vector<Tally>& tallies, bool complete) const = 0;
 };
 
-/// `smith` is the material of the surface's distribution with Smith's masking; none where there is no distribution.
-std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Material>& smith);
+/// `smith` is the microsurface of the surface's distribution with Smith's masking; none where there is no distribution.
+std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Microsurface>& smith);
 
-std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Material>& smith);
-std::unique_ptr<Measure> make_g1_by_normal(const MeasureDescription& description, const std::optional<Material>& smith);
+std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Microsurface>& smith);
+std::unique_ptr<Measure> make_g1_by_normal(const MeasureDescription& description,
+                                           const std::optional<Microsurface>& smith);
 std::unique_ptr<Measure> make_g2(const MeasureDescription& description);
 std::unique_ptr<Measure> make_visible_normals(const MeasureDescription& description);
 std::unique_ptr<Measure> make_lobe(const MeasureDescription& description);

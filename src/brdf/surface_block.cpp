@@ -1,0 +1,199 @@
+#include "brdf/surface_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace brdfplot {
+
+double careful_dot(const Direction& u, const Direction& v) {
+  const double x = u.x * v.x, y = u.y * v.y, z = u.z * v.z;
+  const double products = std::fma(u.x, v.x, -x) + std::fma(u.y, v.y, -y) + std::fma(u.z, v.z, -z);
+  const auto low = [](double a, double b, double sum) {
+    const double part = sum - a;
+    return (a - (sum - part)) + (b - part);
+  };
+  const double xy = x + y, xyz = xy + z;
+  return xyz + (low(x, y, xy) + low(xy, z, xyz) + products);
+}
+
+namespace {
+
+/// The half vectors; 0 where they are undefined (i = -o).
+void compute_half_vectors(SurfaceBlock& block) {
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const double x = block.o.x[k] + block.i.x[k];
+    const double y = block.o.y[k] + block.i.y[k];
+    const double z = block.o.z[k] + block.i.z[k];
+    const double norm2 = x * x + y * y + z * z; // of unit vectors: 0 or no less than 1e-33
+    const double scale = norm2 > 0 ? 1 / std::sqrt(norm2) : 0;
+    block.half_x[k] = x * scale;
+    block.half_y[k] = y * scale;
+    block.half_z[k] = z * scale;
+  }
+}
+
+/// c Lambda or c / G1 of a formula, which are wanted where the direction is above the mesosurface and sees the facet.
+void mask_by_formula(const CustomMasking& masking, const SlopeMap& map, const SurfaceBlock& block, const Columns& omega,
+                     MaskedSide& side) {
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const Projection p{side.c[k], side.s[k]};
+    const Direction direction = omega[k], m = block.m[k];
+    side.unmasked_area[k] = 1;
+    side.masked_area[k] = 0;
+    if (!(p.c > 0)) continue;
+    if (masking.has_lambda)
+      side.masked_area[k] = masking.masked_area(map, p, direction);
+    else if (dot(direction, m) > 0 && m.z > 0)
+      side.unmasked_area[k] = masking.unmasked_area(map, p, direction, m);
+  }
+}
+
+template <class M>
+void mask_mixture(const Mixture& mixture, const M& masking, const SurfaceBlock& block, const Columns& omega,
+                  MaskedSide& side);
+
+/// The masked or the unmasked area of one side, whose c and s are known.
+template <class D, class M>
+void mask_by(const D& distribution, const M& masking, const SurfaceBlock& block, const Columns& omega,
+             MaskedSide& side) {
+  const std::size_t n = block.n;
+  if constexpr (std::is_same_v<M, CustomMasking>) {
+    mask_by_formula(masking, distribution.slopes, block, omega, side);
+  } else if constexpr (M::has_lambda && std::is_same_v<D, Mixture>) {
+    mask_mixture(distribution, masking, block, omega, side);
+  } else if constexpr (requires {
+                         masking.masked_areas(distribution, side.c.data(), side.s.data(), side.masked_area.data(), n);
+                       }) {
+    masking.masked_areas(distribution, side.c.data(), side.s.data(), side.masked_area.data(), n);
+  } else if constexpr (M::has_lambda) {
+    for (std::size_t k = 0; k < n; ++k) side.masked_area[k] = masking.masked_area({side.c[k], side.s[k]}, omega[k]);
+  } else {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double facing = careful_dot(omega[k], block.m[k]);
+      side.unmasked_area[k] = facing > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing, block.m.z[k]) : 1;
+    }
+  }
+}
+
+/// Masked areas add.
+template <class M>
+void mask_mixture(const Mixture& mixture, const M& masking, const SurfaceBlock& block, const Columns& omega,
+                  MaskedSide& side) {
+  std::fill_n(side.masked_area.data(), block.n, 0.0);
+  MaskedSide own;
+  for (const auto& part : mixture.parts) {
+    kernels::project(part.slopes().stretch(), vectors(omega), own.c.data(), own.s.data(), block.n);
+    std::visit([&](const auto& distribution) { mask_by(distribution, masking, block, omega, own); }, part.distribution);
+    for (std::size_t k = 0; k < block.n; ++k) side.masked_area[k] += part.weight * own.masked_area[k];
+  }
+}
+
+/// The horizontal part of a direction, by a power of two away from where products of components are 0.
+Vec2 scaled(const Vec2& v) {
+  const double scale = std::fabs(v[0]) + std::fabs(v[1]) < 1e-100 ? 0x1p600 : 1;
+  return {scale * v[0], scale * v[1]};
+}
+
+/// phi_o - phi_i wrapped to [0, pi]; 0 where one of them is at the normal, which has no azimuth: atan2 would go by the
+/// signs of zeros.
+double azimuth_difference(const Vec2& omega_o, const Vec2& omega_i) {
+  const Vec2 o = scaled(omega_o), i = scaled(omega_i);
+  if ((o[0] == 0 && o[1] == 0) || (i[0] == 0 && i[1] == 0)) return 0;
+  return std::atan2(std::fabs(o[0] * i[1] - o[1] * i[0]), o[0] * i[0] + o[1] * i[1]);
+}
+
+/// The pair as the factor of a form of shadowing sees it, if it has one.
+template <class S>
+DirectionPair direction_pair(const S& shadowing, const SlopeMap& map, const Direction& o, const Projection& viewer,
+                             const Direction& i, const Projection& light) {
+  if constexpr (!S::needs_azimuth)
+    return {};
+  else if (azimuth_after_stretching(shadowing.lambda))
+    return {azimuth_difference(map.on_unit_surface(o), map.on_unit_surface(i)), viewer, light};
+  else
+    return {azimuth_difference({o.x, o.y}, {i.x, i.y}), viewer, light};
+}
+
+} // namespace
+
+void set_directions(SurfaceBlock& block, std::size_t n, const Columns& o, const Columns& i, const Columns& m) {
+  block.n = n;
+  block.done = {};
+  block.o = o;
+  block.i = i;
+  block.m = m;
+  block.has_half = !m && o && i;
+  if (m) return;
+  if (block.has_half) {
+    compute_half_vectors(block);
+  } else {
+    block.half_x.fill(0);
+    block.half_y.fill(0);
+    block.half_z.fill(1);
+  }
+  block.m = {block.half_x.data(), block.half_y.data(), block.half_z.data()};
+}
+
+namespace {
+
+/// Computes the masking of `omega`, one of the block's directions, unless it is there.
+void compute_side(const Microsurface& surface, const SurfaceBlock& block, const Columns& omega, MaskedSide& side,
+                  bool& done) {
+  if (std::exchange(done, true)) return;
+  const std::size_t n = block.n;
+  kernels::project(surface.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), n);
+  std::visit([&](const auto& distribution, const auto& masking) { mask_by(distribution, masking, block, omega, side); },
+             surface.distribution, surface.masking);
+  if (!surface.has_lambda()) return;
+  for (std::size_t k = 0; k < n; ++k) side.unmasked_area[k] = side.c[k] + side.masked_area[k];
+}
+
+} // namespace
+
+void compute_masking(const Microsurface& surface, SurfaceBlock& block) {
+  compute_side(surface, block, block.o, block.viewer, block.done.viewer);
+}
+
+void compute_visibility(const Microsurface& surface, SurfaceBlock& block) {
+  if (std::exchange(block.done.visibility, true)) return;
+  compute_side(surface, block, block.o, block.viewer, block.done.viewer);
+  compute_side(surface, block, block.i, block.light, block.done.light);
+  const SlopeMap& map = surface.slopes();
+  std::visit(
+      [&](const auto& shadowing) {
+        const MaskedSide& v = block.viewer;
+        const MaskedSide& l = block.light;
+        for (std::size_t k = 0; k < block.n; ++k) {
+          const Direction o = block.o[k], i = block.i[k], m = block.m[k];
+          const bool facing = block.has_half || (careful_dot(o, m) > 0 && careful_dot(i, m) > 0);
+          const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && m.z > 0;
+          const DirectionPair pair = direction_pair(shadowing, map, o, {v.c[k], v.s[k]}, i, {l.c[k], l.s[k]});
+          const double visibility = shadowing.visibility(
+              {v.c[k], v.unmasked_area[k], v.masked_area[k], l.c[k], l.unmasked_area[k], l.masked_area[k], pair});
+          block.visibility[k] = lit ? visibility : 0;
+        }
+      },
+      surface.shadowing);
+}
+
+void compute_densities(const Microsurface& surface, SurfaceBlock& block) {
+  if (std::exchange(block.done.densities, true)) return;
+  std::visit([&](const auto& distribution) { distribution.densities(vectors(block.m), block.density.data(), block.n); },
+             surface.distribution);
+}
+
+void compute_reflectances(const Fresnel& fresnel, SurfaceBlock& block) {
+  if (std::exchange(block.done.reflectances, true)) return;
+  Buffer c;
+  for (std::size_t k = 0; k < block.n; ++k) c[k] = std::clamp(dot(block.o[k], block.m[k]), 0.0, 1.0);
+  std::visit(
+      [&](const auto& of) {
+        for (std::size_t channel = 0; channel < (of.coloured() ? 3U : 1U); ++channel)
+          of.reflectances(c.data(), channel, block.reflectances[channel].data(), block.n);
+      },
+      fresnel);
+}
+
+} // namespace brdfplot

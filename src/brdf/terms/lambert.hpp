@@ -1,0 +1,32 @@
+/// \file
+/// A diffuse surface that is flat.
+#pragma once
+
+#include "brdf/terms/flat.hpp"
+
+#include <numbers>
+
+namespace brdfplot {
+
+/// rho = albedo / pi (1/sr).
+struct Lambert {
+  Colour albedo;
+
+  static ModelSpec spec() {
+    return {.type = "lambert",
+            .doc = "albedo / pi",
+            .source = "Lambert 1760; Akenine-Moller et al. 2018, Eq. 9.61",
+            .parameters = {Colour::parameter("albedo", "of each channel")}};
+  }
+  static Lambert from(const TermDescription& description) {
+    return {Colour::from(completed_values<Lambert>(description), "albedo")};
+  }
+
+  int channels() const { return albedo.channels(); }
+  void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
+    evaluate_flat(block, albedo, out, [](const Direction&, const Direction&) { return std::numbers::inv_pi; });
+  }
+  Lambert white() const { return {}; }
+};
+
+} // namespace brdfplot

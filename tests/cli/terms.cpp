@@ -1,0 +1,54 @@
+#include "cli/program.hpp"
+
+using namespace test;
+
+namespace {
+
+const std::string paint = "configs/materials/clear_coated_paint.json";
+
+/// What the file says of one term, as a material by itself.
+const char* coat = R"({"terms": [{"name": "coat", "type": "mirror", "distribution": {"type": "ggx", "alpha": 0.03},
+  "fresnel": {"type": "dielectric", "eta": 1.5}}]})";
+
+} // namespace
+
+TEST_CASE("terms: eval gives quantities of the sum, and of a term by its name") {
+  const Folder folder;
+  folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n");
+  folder.write("coat.json", coat);
+  const auto sum =
+      cells(check_output(folder, "brdfplot eval " + paint + " -q coat.brdf,coat.g1,brdf,albedo -i in.csv"));
+  CHECK(sum[0] == std::vector<std::string>{"theta_o", "theta_i", "coat.brdf", "coat.g1", "brdf_r", "brdf_g", "brdf_b",
+                                           "albedo_r", "albedo_g", "albedo_b"});
+  const auto alone = cells(check_output(folder, "brdfplot eval coat.json -q brdf,g1 -i in.csv"));
+  CHECK(sum[1][2] == alone[1][2]);
+  CHECK(sum[1][3] == alone[1][3]);
+  check_error(folder, "brdfplot eval " + paint + " -q g1 -i in.csv", 2,
+              {paint + ": several terms have a microsurface", "coat, flakes"});
+  check_error(folder, "brdfplot eval " + paint + " -q coatt.brdf -i in.csv", 2, {"\"coatt\"; did you mean \"coat\"?"});
+  check_error(folder, "brdfplot eval " + paint + " -q coat.brdff -i in.csv", 2, {"coat.brdff"});
+}
+
+TEST_CASE("terms: check tells of each microsurface by itself") {
+  const Folder folder;
+  const std::string text = check_output(folder, "brdfplot check " + paint);
+  CHECK(text.find("  - physically based") != std::string::npos);
+  CHECK(text.find("\nclear-coated paint, coat: ggx (alpha 0.03), masking smith\n") != std::string::npos);
+  CHECK(text.find("\nclear-coated paint, flakes: beckmann (alpha 0.35), masking smith\n") != std::string::npos);
+  CHECK(text.find("  ✗ energy <= 1         0.2") != std::string::npos);
+}
+
+TEST_CASE("terms: a figure draws the sum and its terms, and sets a parameter of one") {
+  const Folder folder;
+  folder.write("f.json", R"({"id": "f", "kind": "lines", "title": "T", "caption": "C",
+    "material": {"$ref": "configs/materials/clear_coated_paint.json"}, "channel": "r", "at": {"theta_o": "50deg"},
+    "x": {"variable": "theta_i", "from": "-80deg", "to": "80deg"}, "panels": [{"series": [
+      {"quantity": "brdf_cos", "label": "all"}, {"quantity": "coat.brdf_cos", "label": "coat"},
+      {"quantity": "coat.d", "at": {"coat.alpha": 0.2}, "label": "rough"}]}]})");
+  check_output(folder, "brdfplot plot f.json -o . --quiet");
+  CHECK(folder.read("f.csv").find(",rough,") != std::string::npos);
+  folder.write("g.json", R"({"id": "g", "kind": "lines", "title": "T", "caption": "C",
+    "material": {"$ref": "configs/materials/clear_coated_paint.json"}, "channel": "r", "at": {"theta_o": "50deg"},
+    "x": {"variable": "alpha", "from": 0.1, "to": 0.2}, "panels": [{"series": [{"quantity": "albedo"}]}]})");
+  check_error(folder, "brdfplot plot g.json -o .", 2, {"g.json: /x: unknown variable \"alpha\"", "coat.alpha"});
+}
