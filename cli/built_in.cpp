@@ -1,6 +1,6 @@
 #include "built_in.hpp"
 
-#include "math/errors.hpp"
+#include "base/errors.hpp"
 #include "version.hpp"
 
 #include <filesystem>

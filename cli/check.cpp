@@ -1,12 +1,12 @@
 /// \file
 /// brdfplot check: the properties of Table 3 and more, of materials or of everything built in.
 
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "base/text_files.hpp"
 #include "built_in.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "math/text_files.hpp"
 #include "render.hpp"
 #include "report_tables.hpp"
 #include "terminal.hpp"

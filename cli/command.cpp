@@ -1,9 +1,9 @@
 #include "command.hpp"
 
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "math/text_files.hpp"
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "base/text_files.hpp"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
 /// \file
 /// brdfplot eval: quantities of a material for a stream of directions.
 
-#include "analysis/stream.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "microfacet/parameters.hpp"
+#include "models/parameters.hpp"
+#include "stream/stream.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,14 +1,14 @@
 /// \file
 /// brdfplot fit: Smith's Lambda of a material as the cheapest rational that is accurate enough, for shaders.
 
-#include "analysis/fit_code.hpp"
+#include "analysis/fit/code.hpp"
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "base/text_files.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "math/text_files.hpp"
-#include "plot/fit_figure.hpp"
+#include "figure/fit_figure.hpp"
 #include "render.hpp"
 
 #include <CLI/CLI.hpp>

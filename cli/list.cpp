@@ -2,11 +2,11 @@
 /// brdfplot list: what there is, from the models' own declarations.
 
 #include "analysis/integrals.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
 #include "command.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "microfacet/registry.hpp"
-#include "plot/profile_surface.hpp"
+#include "figure/profile/surface.hpp"
+#include "models/registry.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/surface.hpp"
 #include "terminal.hpp"

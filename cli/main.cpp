@@ -1,14 +1,14 @@
 /// \file
 /// The command line: global flags, the commands, and errors as exit codes.
 
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
 #include "command.hpp"
 #include "last_resort.hpp"
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/interrupt.hpp"
 #include "math/kernels/kernels.hpp"
-#include "math/parallel.hpp"
-#include "microfacet/parameters.hpp"
+#include "models/parameters.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
 #include "version.hpp"

@@ -1,11 +1,11 @@
 /// \file
 /// brdfplot plot: figures from their descriptions.
 
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/text_files.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/text_files.hpp"
 #include "render.hpp"
 
 #include <CLI/CLI.hpp>

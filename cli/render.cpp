@@ -1,6 +1,6 @@
 #include "render.hpp"
 
-#include "math/parallel.hpp"
+#include "base/parallel.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>

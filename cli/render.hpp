@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command.hpp"
-#include "plot/description.hpp"
+#include "figure/description.hpp"
 
 namespace brdfplot::cli {
 

@@ -1,12 +1,12 @@
 /// \file
 /// brdfplot report: every figure and table of a manifest, as a folder with a page.
 
+#include "base/errors.hpp"
+#include "base/text_files.hpp"
 #include "built_in.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/errors.hpp"
-#include "math/text_files.hpp"
-#include "plot/page.hpp"
+#include "draw/html/page.hpp"
 #include "render.hpp"
 #include "report_tables.hpp"
 #include "version.hpp"

@@ -1,7 +1,7 @@
 #include "report_tables.hpp"
 
-#include "math/number.hpp"
-#include "plot/text.hpp"
+#include "base/number.hpp"
+#include "draw/text.hpp"
 
 #include <algorithm>
 #include <array>

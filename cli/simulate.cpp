@@ -2,12 +2,12 @@
 /// brdfplot simulate: rays on a generated surface, as tables and CSV.
 
 #include "simulation/simulate.hpp"
+#include "base/errors.hpp"
+#include "base/interrupt.hpp"
+#include "base/number.hpp"
+#include "base/text_files.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/errors.hpp"
-#include "math/interrupt.hpp"
-#include "math/number.hpp"
-#include "math/text_files.hpp"
 #include "render.hpp"
 #include "simulation_tables.hpp"
 #include "terminal.hpp"

@@ -1,6 +1,6 @@
 #include "simulation_tables.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "usage.hpp"
 
-#include "math/echo.hpp"
-#include "microfacet/parameters.hpp"
+#include "base/echo.hpp"
+#include "models/parameters.hpp"
 
 #include <CLI/CLI.hpp>
 

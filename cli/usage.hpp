@@ -2,7 +2,7 @@
 /// What CLI11 says of a wrong command line, in one line that names what is accepted.
 #pragma once
 
-#include "math/errors.hpp"
+#include "base/errors.hpp"
 
 namespace CLI {
 class App;

@@ -1,9 +1,9 @@
 /// \file
 /// brdfplot validate: files read and checked, nothing computed.
 
+#include "base/errors.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "math/errors.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,11 +1,11 @@
 #include "analysis/integrals.hpp"
 
-#include "analysis/hemisphere.hpp"
 #include "analysis/lobe_peak.hpp"
-#include "analysis/slope_domain.hpp"
-#include "analysis/visible_area.hpp"
+#include "base/number.hpp"
 #include "brdf/components.hpp"
-#include "math/number.hpp"
+#include "integrate/hemisphere.hpp"
+#include "integrate/slope_domain.hpp"
+#include "integrate/visible_area.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,9 @@
 #include "analysis/properties.hpp"
 
 #include "analysis/property_tests.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "microfacet/registry.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "models/registry.hpp"
 
 #include <algorithm>
 #include <cmath>

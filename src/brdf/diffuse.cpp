@@ -1,8 +1,8 @@
 #include "brdf/diffuse.hpp"
 
 #include "brdf/components.hpp"
-#include "brdf/facing_normals.hpp"
 #include "brdf/surface_quantities.hpp"
+#include "integrate/facing_normals.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "brdf/material.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "config/figure_count.hpp"
 
-#include "math/number.hpp"
-#include "plot/description.hpp"
+#include "base/number.hpp"
+#include "figure/description.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
+#include "base/errors.hpp"
+#include "base/interrupt.hpp"
+#include "base/number.hpp"
 #include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
 #include "config/load.hpp"
 #include "config/shapes.hpp"
-#include "math/errors.hpp"
-#include "math/interrupt.hpp"
-#include "math/number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "config/figure_profile.hpp"
 
 #include "config/model_json.hpp"
-#include "plot/profile_panel.hpp"
+#include "figure/profile/panel.hpp"
 
 namespace brdfplot::config {
 

@@ -1,8 +1,8 @@
 #include "config/figure_scope.hpp"
 
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "plot/simulated.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "figure/series/simulated.hpp"
 
 namespace brdfplot::config {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "config/shapes.hpp"
-#include "plot/description.hpp"
+#include "figure/description.hpp"
 
 #include <map>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
 #include "config/shapes.hpp"
-#include "plot/channel.hpp"
-#include "plot/simulated.hpp"
+#include "figure/series/channel.hpp"
+#include "figure/series/simulated.hpp"
 
 namespace brdfplot::config {
 

@@ -1,9 +1,9 @@
 #include "config/json_file.hpp"
 
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/interrupt.hpp"
-#include "math/text_files.hpp"
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/interrupt.hpp"
+#include "base/text_files.hpp"
 
 #include <algorithm>
 #include <filesystem>

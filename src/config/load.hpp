@@ -8,7 +8,7 @@
 
 #include "analysis/properties.hpp"
 #include "brdf/material.hpp"
-#include "plot/description.hpp"
+#include "figure/description.hpp"
 #include "simulation/scene.hpp"
 
 #include <string>

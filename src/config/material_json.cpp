@@ -1,7 +1,7 @@
+#include "base/number.hpp"
 #include "config/load.hpp"
 #include "config/model_json.hpp"
 #include "config/shapes.hpp"
-#include "math/number.hpp"
 
 #include <algorithm>
 #include <filesystem>

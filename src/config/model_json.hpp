@@ -3,7 +3,7 @@
 #pragma once
 
 #include "config/schema.hpp"
-#include "microfacet/registry.hpp"
+#include "models/registry.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,12 +1,12 @@
-#include "analysis/stream_rows.hpp"
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/interrupt.hpp"
+#include "base/text_files.hpp"
 #include "config/load.hpp"
 #include "config/model_json.hpp"
 #include "config/shapes.hpp"
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/interrupt.hpp"
-#include "math/text_files.hpp"
-#include "microfacet/registry.hpp"
+#include "models/registry.hpp"
+#include "stream/rows.hpp"
 
 #include <filesystem>
 #include <set>

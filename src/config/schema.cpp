@@ -1,6 +1,6 @@
 #include "config/schema.hpp"
 
-#include "math/interrupt.hpp"
+#include "base/interrupt.hpp"
 
 #include <nlohmann/json.hpp>
 

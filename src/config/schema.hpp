@@ -3,7 +3,7 @@
 /// from it, so the two cannot differ.
 #pragma once
 
-#include "microfacet/parameters.hpp"
+#include "models/parameters.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,6 @@
 #include "config/schema.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "config/schema.hpp"
 
-#include "math/echo.hpp"
+#include "base/echo.hpp"
 
 #include <nlohmann/json.hpp>
 

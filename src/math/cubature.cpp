@@ -1,6 +1,6 @@
 #include "math/cubature.hpp"
 
-#include "math/interrupt.hpp"
+#include "base/interrupt.hpp"
 
 #include "math/gauss_kronrod.hpp"
 

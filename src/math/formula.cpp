@@ -1,7 +1,7 @@
 #include "math/formula.hpp"
 
-#include "math/echo.hpp"
-#include "math/errors.hpp"
+#include "base/echo.hpp"
+#include "base/errors.hpp"
 
 #include <muParser.h>
 

@@ -1,6 +1,6 @@
 #include "math/quadrature.hpp"
 
-#include "math/interrupt.hpp"
+#include "base/interrupt.hpp"
 
 #include "math/gauss_kronrod.hpp"
 

@@ -4,7 +4,7 @@
 /// so, declares where (`critical_cosine`), so that integrals can be cut there.
 #pragma once
 
-#include "microfacet/parameters.hpp"
+#include "models/parameters.hpp"
 
 #include <algorithm>
 #include <cstddef>

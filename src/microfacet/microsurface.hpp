@@ -3,11 +3,11 @@
 /// facets reflect; a term of a BRDF does (brdf/term.hpp).
 #pragma once
 
-#include "math/errors.hpp"
+#include "base/errors.hpp"
 #include "microfacet/distributions.hpp"
 #include "microfacet/masking.hpp"
-#include "microfacet/registry.hpp"
 #include "microfacet/shadowing.hpp"
+#include "models/registry.hpp"
 
 #include <optional>
 #include <string>

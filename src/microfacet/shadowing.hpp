@@ -6,7 +6,7 @@
 
 #include "math/kernels/kernels.hpp"
 #include "microfacet/direction_factor.hpp"
-#include "microfacet/parameters.hpp"
+#include "models/parameters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "microfacet/slopes.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 #include <algorithm>
 

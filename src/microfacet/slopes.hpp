@@ -5,7 +5,7 @@
 
 #include "math/direction.hpp"
 #include "math/kernels/kernels.hpp"
-#include "microfacet/parameters.hpp"
+#include "models/parameters.hpp"
 
 #include <cmath>
 #include <optional>

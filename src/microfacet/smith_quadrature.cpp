@@ -1,9 +1,9 @@
 #include "microfacet/smith_quadrature.hpp"
 
+#include "base/errors.hpp"
+#include "base/interrupt.hpp"
+#include "base/number.hpp"
 #include "math/atan_deficit.hpp"
-#include "math/errors.hpp"
-#include "math/interrupt.hpp"
-#include "math/number.hpp"
 #include "math/quadrature.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>

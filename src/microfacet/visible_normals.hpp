@@ -3,8 +3,8 @@
 /// from above and, for the rays of a random walk, from below the horizon too.
 #pragma once
 
+#include "base/random.hpp"
 #include "math/direction.hpp"
-#include "math/random.hpp"
 #include "microfacet/distributions/beckmann.hpp"
 #include "microfacet/distributions/ggx.hpp"
 

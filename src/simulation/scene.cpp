@@ -1,9 +1,9 @@
 #include "simulation/scene.hpp"
 
-#include "math/echo.hpp"
-#include "math/number.hpp"
-#include "math/text_files.hpp"
-#include "microfacet/registry.hpp"
+#include "base/echo.hpp"
+#include "base/number.hpp"
+#include "base/text_files.hpp"
+#include "models/registry.hpp"
 #include "simulation/surface.hpp"
 
 #include <algorithm>

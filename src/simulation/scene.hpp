@@ -2,8 +2,8 @@
 /// What is simulated, as data: a surface, what is measured on it, with how many rays and from which seed.
 #pragma once
 
-#include "math/errors.hpp"
-#include "microfacet/parameters.hpp"
+#include "base/errors.hpp"
+#include "models/parameters.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #include "simulation/shadow_rays.hpp"
 
-#include "math/interrupt.hpp"
+#include "base/interrupt.hpp"
 
 #include <algorithm>
 #include <array>

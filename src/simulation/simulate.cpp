@@ -1,10 +1,10 @@
 #include "simulation/simulate.hpp"
 
-#include "math/errors.hpp"
-#include "math/interruptible.hpp"
-#include "math/memory.hpp"
+#include "base/errors.hpp"
+#include "base/interruptible.hpp"
+#include "base/memory.hpp"
 #include "simulation/measures/measure.hpp"
-#include "simulation/slope_statistics.hpp"
+#include "simulation/measures/slope_statistics.hpp"
 #include "simulation/streams.hpp"
 
 #include <tbb/global_control.h>

@@ -1,8 +1,8 @@
 #include "simulation/store.hpp"
 
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "math/text_files.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "base/text_files.hpp"
 
 #include <array>
 #include <charconv>

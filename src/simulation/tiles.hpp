@@ -2,8 +2,8 @@
 /// Pieces of a surface, and random points spread over them.
 #pragma once
 
-#include "math/interrupt.hpp"
-#include "math/random.hpp"
+#include "base/interrupt.hpp"
+#include "base/random.hpp"
 #include "simulation/heightfield.hpp"
 #include "simulation/tracer.hpp"
 

@@ -1,6 +1,6 @@
 #include "simulation/tracer.hpp"
 
-#include "math/interruptible.hpp"
+#include "base/interruptible.hpp"
 
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>

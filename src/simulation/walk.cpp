@@ -1,8 +1,8 @@
 #include "simulation/walk.hpp"
 
-#include "math/interrupt.hpp"
-#include "math/parallel.hpp"
-#include "math/random.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "microfacet/visible_normals.hpp"
 #include "simulation/smith_profile.hpp"
 

@@ -1,10 +1,10 @@
-#include "analysis/fit.hpp"
+#include "analysis/fit/fit.hpp"
 
-#include "analysis/fit_code.hpp"
-#include "analysis/fit_maximin.hpp"
-#include "analysis/fit_rounding.hpp"
+#include "analysis/fit/code.hpp"
+#include "analysis/fit/maximin.hpp"
+#include "analysis/fit/rounding.hpp"
+#include "base/errors.hpp"
 #include "brdf/evaluate.hpp"
-#include "math/errors.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "integral_cases.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 namespace test {
 

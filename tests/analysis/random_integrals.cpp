@@ -1,10 +1,10 @@
 // Integrals of random materials, hard ones included, against a rule that shares no code with the library's: no answer
 // may be further from the truth than was asked, and few may be refused. BRDFPLOT_RANDOM_INTEGRALS sets how many,
 // BRDFPLOT_RANDOM_SEED the first of them; with BRDFPLOT_RANDOM_VERBOSE each is named.
+#include "base/errors.hpp"
+#include "base/number.hpp"
+#include "base/parallel.hpp"
 #include "integral_cases.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
-#include "math/parallel.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,8 +9,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-# A file may include from its own layer and from those before it.
-LAYERS = ["math", "microfacet", "brdf", "analysis", "simulation", "plot", "config", "cli"]
+# A file may include from its own layer and from those before it. What draws knows no BRDF: only base.
+LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "analysis", "stream", "simulation", "draw", "figure",
+          "config", "cli"]
+KNOWS_ONLY = {"draw": {"base", "draw"}}
 GENERATED = {"version.hpp"}
 # A third-party header: who may include it. None stands for every source file, but no header.
 THIRD_PARTY = {"CLI": {"cli"}, "nlohmann": {"config"}, "Eigen": None, "boost": None, "muParser.h": None,
@@ -47,6 +49,8 @@ def check_include(name: str, quoted: bool, source: Path, root: Path) -> str | No
     target_layer = layer_of(target, root)
     if LAYERS.index(target_layer) > LAYERS.index(layer):
         return f'{layer} includes "{name}", but {target_layer} stands above it'
+    if target_layer not in KNOWS_ONLY.get(layer, LAYERS):
+        return f'{layer} includes "{name}"; it may only include from {", ".join(sorted(KNOWS_ONLY[layer]))}'
     return None
 
 
@@ -80,11 +84,12 @@ def self_test() -> None:
         "upwards": ("src/math/a.hpp", '#include "brdf/b.hpp"\n'),
         "library from cli": ("src/config/e.hpp", '#include "command.hpp"\n'),
         "CLI11 in the library": ("src/config/e.cpp", "#include <CLI/CLI.hpp>\n"),
-        "JSON outside config": ("src/plot/p.cpp", "# include <nlohmann/json.hpp>\n"),
+        "JSON outside config": ("src/figure/p.cpp", "# include <nlohmann/json.hpp>\n"),
         "JSON in cli": ("cli/main.cpp", "#include <nlohmann/json.hpp>\n"),
         "Eigen in a header": ("src/math/a.hpp", "#include <Eigen/Core>\n"),
         "Boost in a header": ("src/config/e.hpp", "#include <boost/version.hpp>\n"),
         "unknown layer": ("src/extra/x.hpp", ""),
+        "drawing that knows a BRDF": ("src/draw/svg.cpp", '#include "brdf/c.hpp"\n'),
         "missing file": ("src/math/a.hpp", '#include "math/gone.hpp"\n'),
         "own header in angle brackets": ("src/brdf/c.hpp", "#include <math/a.hpp>\n"),
     }

@@ -1,7 +1,7 @@
 #include "brdf/diffuse.hpp"
 #include "../materials.hpp"
-#include "analysis/hemisphere.hpp"
 #include "analysis/integrals.hpp"
+#include "integrate/hemisphere.hpp"
 
 #include <doctest/doctest.h>
 

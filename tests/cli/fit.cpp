@@ -1,4 +1,4 @@
-#include "analysis/fit.hpp"
+#include "analysis/fit/fit.hpp"
 #include "brdf/evaluate.hpp"
 #include "cli/fit_program.hpp"
 #include "config/load.hpp"

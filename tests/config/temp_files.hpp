@@ -2,7 +2,7 @@
 /// Files for the tests of the reader, and what it says of them.
 #pragma once
 
-#include "math/errors.hpp"
+#include "base/errors.hpp"
 
 #include <doctest/doctest.h>
 

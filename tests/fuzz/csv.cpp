@@ -1,6 +1,6 @@
 #include "fuzz.hpp"
 
-#include "analysis/stream.hpp"
+#include "stream/stream.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 /// answer or two gigabytes of memory are findings.
 #pragma once
 
-#include "math/errors.hpp"
+#include "base/errors.hpp"
 
 #include <cstddef>
 #include <cstdint>

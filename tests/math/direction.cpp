@@ -1,5 +1,5 @@
 #include "math/direction.hpp"
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "math/formula.hpp"
-#include "math/errors.hpp"
-#include "math/parallel.hpp"
+#include "base/errors.hpp"
+#include "base/parallel.hpp"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 #include "../materials.hpp"
 #include "analysis/integrals.hpp"
 #include "math/quadrature.hpp"
-#include "microfacet/registry.hpp"
+#include "models/registry.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,9 +3,9 @@
 #include "../materials.hpp"
 #include "../reference/reference.hpp"
 #include "analysis/integrals.hpp"
-#include "math/errors.hpp"
-#include "math/random.hpp"
-#include "microfacet/registry.hpp"
+#include "base/errors.hpp"
+#include "base/random.hpp"
+#include "models/registry.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

@@ -2,7 +2,7 @@
 // at 40 digits from Lambda(mu) = 2 int_mu^inf r P22(r) (sqrt(r^2 / mu^2 - 1) - arccos(mu / r)) dr.
 #include "microfacet/smith_quadrature.hpp"
 #include "../materials.hpp"
-#include "math/errors.hpp"
+#include "base/errors.hpp"
 #include "microfacet/a_lambda_table.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "math/number.hpp"
+#include "base/number.hpp"
 #include "version.hpp"
 
 #include <iostream>

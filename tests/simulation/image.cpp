@@ -1,4 +1,4 @@
-#include "simulation/image.hpp"
+#include "simulation/surfaces/image.hpp"
 #include "simulation/scenes.hpp"
 
 #include "config/temp_files.hpp"

@@ -2,9 +2,9 @@
 /// Short ways to describe a scene.
 #pragma once
 
+#include "simulation/measures/tally.hpp"
 #include "simulation/simulate.hpp"
 #include "simulation/surface.hpp"
-#include "simulation/tally.hpp"
 
 #include "materials.hpp"
 

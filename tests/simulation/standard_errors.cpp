@@ -2,8 +2,8 @@
 /// Whether the spread of a result over seeds is what its standard error says.
 #include "simulation/scenes.hpp"
 
+#include "base/random.hpp"
 #include "config/temp_files.hpp"
-#include "math/random.hpp"
 #include "simulation/walk.hpp"
 
 #include <doctest/doctest.h>

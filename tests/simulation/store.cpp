@@ -1,7 +1,7 @@
 #include "simulation/store.hpp"
 
-#include "math/parallel.hpp"
-#include "math/text_files.hpp"
+#include "base/parallel.hpp"
+#include "base/text_files.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #include "materials.hpp"
 
 #include "analysis/integrals.hpp"
-#include "math/random.hpp"
+#include "base/random.hpp"
 #include "microfacet/visible_normals.hpp"
 #include "simulation/smith_profile.hpp"
 #include "simulation/walk.hpp"

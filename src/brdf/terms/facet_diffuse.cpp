@@ -1,8 +1,8 @@
 #include "brdf/terms/facet_diffuse.hpp"
 
+#include "base/errors.hpp"
+#include "base/number.hpp"
 #include "brdf/diffuse.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
 
 #include <algorithm>
 

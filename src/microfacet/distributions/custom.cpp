@@ -1,7 +1,7 @@
 #include "microfacet/distributions/custom.hpp"
 
-#include "math/errors.hpp"
-#include "math/number.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
 #include "math/quadrature.hpp"
 #include "microfacet/remembered.hpp"
 

@@ -1,6 +1,6 @@
 #include "microfacet/distributions/exponential_power.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 #include "microfacet/remembered.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>

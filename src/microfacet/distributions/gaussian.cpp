@@ -1,6 +1,6 @@
 #include "microfacet/distributions/gaussian.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 #include "math/quadrature.hpp"
 #include "microfacet/remembered.hpp"
 

@@ -2,8 +2,8 @@
 /// A weighted sum of distributions (Cook and Torrance 1982; Kulla and Conty 2017).
 #pragma once
 
-#include "microfacet/registry.hpp"
 #include "microfacet/slopes.hpp"
+#include "models/registry.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "microfacet/distributions/ward.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 #include "microfacet/beckmann_lambda.hpp"
 #include "microfacet/remembered.hpp"
 

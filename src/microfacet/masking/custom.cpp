@@ -1,8 +1,8 @@
 #include "microfacet/masking/custom.hpp"
 
-#include "math/echo.hpp"
-#include "math/errors.hpp"
-#include "math/number.hpp"
+#include "base/echo.hpp"
+#include "base/errors.hpp"
+#include "base/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 /// What every measure of a scene does.
 #pragma once
 
-#include "math/random.hpp"
+#include "base/random.hpp"
 #include "microfacet/microsurface.hpp"
+#include "simulation/measures/tally.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/simulate.hpp"
-#include "simulation/tally.hpp"
 #include "simulation/tiles.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "simulation/surfaces/common.hpp"
 
-#include "math/number.hpp"
+#include "base/number.hpp"
 
 #include <utility>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "microfacet/slopes.hpp"
-#include "simulation/gaussian_field.hpp"
 #include "simulation/heightfield.hpp"
+#include "simulation/surfaces/gaussian_field.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "simulation/surfaces/height_map.hpp"
 
-#include "math/interrupt.hpp"
-#include "math/memory.hpp"
-#include "simulation/image.hpp"
+#include "base/interrupt.hpp"
+#include "base/memory.hpp"
+#include "simulation/surfaces/image.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "simulation/surfaces/v_cavity.hpp"
 
-#include "math/number.hpp"
-#include "math/random.hpp"
+#include "base/number.hpp"
+#include "base/random.hpp"
 #include "simulation/streams.hpp"
 
 #include <cmath>

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "base/interrupt.hpp"
+#include "base/number.hpp"
+#include "draw/model.hpp"
+#include "draw/text.hpp"
+
+namespace brdfplot::plot {
+
+namespace {
+
+/// Appends a text field, quoted when a reader would otherwise split it (RFC 4180).
+void append_field(std::string& out, std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
+std::string field(std::string_view label) {
+  std::string out;
+  append_field(out, strip_markup(label));
+  return out;
+}
+
+bool has_errors(const Figure& figure) {
+  if (figure.kind == Kind::profile) return false;
+  const auto simulated = [](const Series& series) { return !series.error.empty(); };
+  return std::ranges::any_of(figure.panels, [&](const Panel& panel) {
+    return !panel.notes.empty() || std::ranges::any_of(panel.series, simulated);
+  });
+}
+
+void append_header(std::string& out, const Figure& figure) {
+  const Panel none;
+  const Panel& panel = figure.panels.empty() ? none : figure.panels.front();
+  const auto column = [&](const std::string& name, std::string_view fallback) {
+    out += ',';
+    append_field(out, name.empty() ? fallback : std::string_view(name));
+  };
+  out += "panel";
+  if (figure.kind == Kind::heatmap) {
+    column(panel.x.column, "x");
+    column(panel.y.column, "y");
+    column(panel.value ? panel.value->column : std::string(), "value");
+  } else {
+    out += ",series";
+    column(panel.x.column, "x");
+    column(panel.y.column, "y");
+    if (has_errors(figure)) column((panel.y.column.empty() ? "y" : panel.y.column) + "_stderr", "");
+  }
+  out += '\n';
+}
+
+void append_series(std::string& out, const Panel& panel, bool errors) {
+  const bool profile = panel.sketch.has_value();
+  const auto title = field(panel.title);
+  for (const auto& series : panel.series) {
+    throw_if_interrupted();
+    const auto start = title + "," + field(series.label) + ",";
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      out += start;
+      append_number(out, series.x[i]);
+      out += ',';
+      if (!profile || !std::isnan(series.y[i])) append_number(out, series.y[i]);
+      if (errors) out += ',';
+      if (i < series.error.size()) append_number(out, series.error[i]);
+      out += '\n';
+    }
+  }
+}
+
+void append_notes(std::string& out, const Panel& panel, bool errors) {
+  for (const Note& note : panel.notes) {
+    out += field(panel.title) + "," + field(note.label) + ",,";
+    append_number(out, note.value);
+    if (errors) out += ',';
+    if (errors) append_number(out, note.error);
+    out += '\n';
+  }
+}
+
+void append_grid(std::string& out, const std::string& title, const Grid& grid) {
+  throw_if_interrupted();
+  const std::size_t width = grid.x.size();
+  for (std::size_t i = 0; i < std::min(grid.value.size(), width * grid.y.size()); ++i) {
+    out += title;
+    out += ',';
+    append_number(out, grid.x[i % width]);
+    out += ',';
+    append_number(out, grid.y[i / width]);
+    out += ',';
+    append_number(out, grid.value[i]);
+    out += '\n';
+  }
+}
+
+/// About how long the text will be, so that it is built without copies.
+std::size_t estimate(const Figure& figure) {
+  std::size_t rows = 1;
+  for (const auto& panel : figure.panels) {
+    for (const auto& series : panel.series) rows += series.x.size();
+    if (panel.grid) rows += panel.grid->value.size();
+  }
+  return 64 * rows;
+}
+
+} // namespace
+
+std::string to_csv(const Figure& figure) {
+  std::string out;
+  out.reserve(estimate(figure));
+  append_header(out, figure);
+  const bool errors = has_errors(figure);
+  for (const auto& panel : figure.panels) {
+    if (figure.kind != Kind::heatmap) {
+      append_series(out, panel, errors);
+      append_notes(out, panel, errors);
+    } else if (panel.grid) {
+      append_grid(out, field(panel.title), *panel.grid);
+    }
+  }
+  return out;
+}
+
+} // namespace brdfplot::plot

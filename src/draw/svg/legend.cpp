@@ -1,0 +1,193 @@
+#include "draw/svg/legend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace brdfplot::plot {
+
+namespace {
+
+constexpr double font = 13;
+constexpr double sample_width = 34;
+constexpr double sample_gap = 7;
+constexpr double entry_gap = 20;
+
+/// One drawn thing that may need an entry.
+struct Item {
+  std::string label;
+  int style = 0;
+  std::optional<double> ramp;
+
+  [[nodiscard]] bool looks_like(const Item& other) const {
+    if (ramp.has_value() != other.ramp.has_value()) return false;
+    return ramp ? ramp_step(*ramp) == ramp_step(*other.ramp) : style == other.style;
+  }
+};
+
+std::vector<Item> items_of(const Panel& panel, Kind kind, const std::vector<std::string>& contour_labels) {
+  std::vector<Item> items;
+  if (kind != Kind::heatmap) {
+    for (const auto& series : panel.series) items.push_back({series.label, series.style, series.ramp});
+    return items;
+  }
+  for (const auto& contour : panel.contours) {
+    const auto at = std::find(contour_labels.begin(), contour_labels.end(), contour.label);
+    items.push_back({contour.label, static_cast<int>(at - contour_labels.begin()), std::nullopt});
+  }
+  return items;
+}
+
+std::vector<std::string> contour_labels_of(const Figure& figure) {
+  std::vector<std::string> labels;
+  for (const auto& panel : figure.panels) {
+    for (const auto& contour : panel.contours) {
+      if (std::find(labels.begin(), labels.end(), contour.label) == labels.end()) labels.push_back(contour.label);
+    }
+  }
+  return labels;
+}
+
+/// Adds the items with labels that the list does not have yet.
+void add_distinct(std::vector<Item>& distinct, const std::vector<Item>& items) {
+  for (const auto& item : items) {
+    const auto same = [&](const Item& other) { return other.label == item.label; };
+    if (!item.label.empty() && std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(item);
+  }
+}
+
+/// Whether one legend serves all panels: labels and looks go together, and at least one label occurs twice.
+bool can_share(const std::vector<std::vector<Item>>& panels) {
+  if (panels.size() == 1) return true;
+  bool repeated = false;
+  std::vector<Item> seen;
+  for (const auto& items : panels) {
+    for (const auto& item : items) {
+      if (item.label.empty()) continue;
+      bool known = false;
+      for (const auto& other : seen) {
+        const bool same_label = other.label == item.label;
+        if (same_label != other.looks_like(item)) return false;
+        known = known || same_label;
+      }
+      repeated = repeated || known;
+      if (!known) seen.push_back(item);
+    }
+  }
+  return repeated;
+}
+
+LegendEntry::Sample sample_of(Kind kind) {
+  return kind == Kind::heatmap ? LegendEntry::Sample::contour : LegendEntry::Sample::line;
+}
+
+/// The look of an item; a ramp's dashes alternate with the place of its label in the legend.
+Look look_in(const Item& item, const std::vector<Item>& distinct) {
+  const auto same = [&](const Item& other) { return other.label == item.label; };
+  const auto at = std::find_if(distinct.begin(), distinct.end(), same);
+  return look_of(item.style, item.ramp, at == distinct.end() ? 0 : static_cast<int>(at - distinct.begin()));
+}
+
+std::vector<LegendEntry> entries_of(const std::vector<Item>& distinct, Kind kind) {
+  std::vector<LegendEntry> entries;
+  entries.reserve(distinct.size());
+  for (const auto& item : distinct) entries.push_back({item.label, look_in(item, distinct), sample_of(kind)});
+  return entries;
+}
+
+bool has_undefined_cells(const Panel& panel) {
+  return panel.grid && std::any_of(panel.grid->value.begin(), panel.grid->value.end(),
+                                   [](double value) { return std::isnan(value); });
+}
+
+/// The parts of a profile are solid: dashes would look like more parts.
+void make_solid(LegendPlan& plan) {
+  for (auto& looks : plan.looks)
+    for (auto& look : looks) look.dash = 0;
+  for (auto& entry : plan.shared) entry.look.dash = 0;
+  for (auto& own : plan.own)
+    for (auto& entry : own) entry.look.dash = 0;
+}
+
+} // namespace
+
+LegendPlan plan_legend(const Figure& figure) {
+  LegendPlan plan;
+  const auto contour_labels = contour_labels_of(figure);
+  std::vector<std::vector<Item>> items;
+  for (const auto& panel : figure.panels) items.push_back(items_of(panel, figure.kind, contour_labels));
+  const bool share = can_share(items);
+  std::vector<Item> all;
+  for (const auto& list : items) add_distinct(all, list);
+
+  plan.own.resize(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    std::vector<Item> own;
+    add_distinct(own, items[i]);
+    if (!share) plan.own[i] = entries_of(own, figure.kind);
+    plan.looks.emplace_back();
+    for (const auto& item : items[i]) plan.looks.back().push_back(look_in(item, share ? all : own));
+  }
+  if (share) plan.shared = entries_of(all, figure.kind);
+  if (figure.kind == Kind::profile) make_solid(plan);
+  if (figure.kind == Kind::heatmap && std::any_of(figure.panels.begin(), figure.panels.end(), has_undefined_cells)) {
+    plan.shared.push_back({"undefined", {}, LegendEntry::Sample::undefined});
+  }
+  return plan;
+}
+
+LegendLayout lay_out_legend(const std::vector<LegendEntry>& entries, double width) {
+  LegendLayout layout;
+  double widest = 0;
+  double total = 0;
+  for (const auto& entry : entries) {
+    auto text = fit_text(entry.label, font, width - sample_width - sample_gap, 1);
+    const double full = sample_width + sample_gap + text.width() + entry_gap;
+    widest = std::max(widest, full);
+    total += full;
+    layout.placed.push_back({entry, std::move(text), {}});
+  }
+  // Columns read better than a ragged flow, unless one long label would make them sparse.
+  const double columns = std::floor((width + entry_gap) / std::max(widest, 1.0));
+  const double average = total / std::max(1.0, static_cast<double>(entries.size()));
+  const bool aligned = total > width + entry_gap && columns >= 2 && widest < 1.6 * average;
+  const double cell = aligned ? (width + entry_gap) / columns : 0;
+
+  Point at;
+  double row_height = 0;
+  for (auto& placed : layout.placed) {
+    const double full = std::max(cell, sample_width + sample_gap + placed.text.width() + entry_gap);
+    if (at.x > 0 && at.x + full > width + entry_gap + 0.01) {
+      at = {0, at.y + row_height};
+      row_height = 0;
+    }
+    placed.at = at;
+    at.x += full;
+    row_height = std::max(row_height, placed.text.height() + 3);
+  }
+  layout.height = layout.placed.empty() ? 0 : at.y + row_height;
+  return layout;
+}
+
+void draw_legend(SvgWriter& svg, const LegendLayout& legend, Point corner) {
+  if (legend.placed.empty()) return;
+  svg.open_group("bp-legend");
+  for (const auto& placed : legend.placed) {
+    const Point at{corner.x + placed.at.x, corner.y + placed.at.y};
+    const double y = at.y + 0.66 * placed.text.size;
+    const Point to{at.x + sample_width, y};
+    const auto& look = placed.entry.look;
+    if (placed.entry.sample == LegendEntry::Sample::undefined) {
+      svg.rect({at.x, y - 5, sample_width, 10}, "bp-nan");
+    } else if (placed.entry.sample == LegendEntry::Sample::contour) {
+      svg.line({at.x, y}, to, {"bp-no bp-halo", 4, {}, {}});
+      svg.line({at.x, y}, to, {"bp-no bp-contour", 1.6, dash(look.dash), {}});
+    } else {
+      svg.line({at.x, y}, to, {"bp-no bp-" + look.colour, 2, dash(look.dash), {}});
+    }
+    svg.lines({at.x + sample_width + sample_gap, at.y}, placed.text, Anchor::start);
+  }
+  svg.close_group();
+}
+
+} // namespace brdfplot::plot

@@ -1,0 +1,178 @@
+#include "draw/svg/plan.hpp"
+
+#include "base/interrupt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace brdfplot::plot {
+
+namespace {
+
+constexpr double column_gap = 14;
+constexpr double row_gap = 14;
+
+/// An id that is valid in XML, CSS and URLs.
+std::string clean_id(const std::string& id) {
+  std::string out;
+  for (const char c : id) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (out.empty() && !letter) out = "f-";
+    out += letter || (c >= '0' && c <= '9') || c == '-' || c == '_' ? c : '-';
+  }
+  return out.empty() ? "figure" : out;
+}
+
+/// Which panels' value axes belong together.
+std::size_t share_group(const Figure& figure, std::size_t panel, int columns) {
+  if (figure.share == Share::all) return 0;
+  return figure.share == Share::rows ? panel / static_cast<std::size_t>(columns) : panel;
+}
+
+/// The data on the axis that panels may share.
+Extent value_extent(const Panel& panel, Kind kind) {
+  Extent extent;
+  if (kind == Kind::heatmap) {
+    if (panel.grid) extent.add(panel.grid->value, panel.value ? panel.value->scale : Scale::linear);
+    return extent;
+  }
+  for (const auto& series : panel.series) {
+    extent.add(series.y, panel.y.scale);
+    if (series.error.empty() || kind != Kind::lines) continue;
+    extent.add(upper_bounds(series), panel.y.scale);
+    extent.add(lower_bounds(series), panel.y.scale);
+  }
+  return extent;
+}
+
+void plan_swept(const Panel& panel, Kind kind, PanelPlan& plan) {
+  Extent x;
+  for (const auto& series : panel.series) x.add(series.x, panel.x.scale);
+  if (kind == Kind::heatmap && panel.grid) {
+    Extent y;
+    x.add(panel.grid->x, panel.x.scale);
+    y.add(panel.grid->y, panel.y.scale);
+    plan.y = swept_range(panel.y, y);
+  } else if (kind == Kind::heatmap) {
+    plan.y = swept_range(panel.y, {});
+  }
+  plan.x = swept_range(panel.x, x);
+}
+
+double title_height(const PanelPlan& panel) {
+  const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
+  return title + (panel.note.lines.empty() ? 0 : panel.note.height() + 2);
+}
+
+/// "distance 3 %, mean +1°"
+std::string notes_line(const Panel& panel) {
+  std::string line;
+  for (const Note& note : panel.notes) line += (line.empty() ? "" : ", ") + note.text;
+  return line;
+}
+
+/// Aligns the titles, legends and plots of a row that begins at `y`; gives its height.
+double place_row(std::span<PanelPlan> row, double y) {
+  double title = 0;
+  double legend = 0;
+  double top = 0;
+  double body = 0;
+  for (const auto& panel : row) {
+    title = std::max(title, title_height(panel));
+    legend = std::max(legend, panel.legend.height);
+    top = std::max(top, panel.insets.top);
+    body = std::max(body, panel.plot.h + panel.insets.bottom);
+  }
+  for (auto& panel : row) {
+    panel.title_top = y + title - title_height(panel);
+    panel.legend_top = y + title;
+    panel.plot.y = y + title + legend + top;
+  }
+  return title + legend + top + body;
+}
+
+/// Moves the panels to their places in the grid; gives the y below the last row.
+double place_panels(FigurePlan& plan, double top) {
+  const auto columns = static_cast<std::size_t>(plan.columns);
+  const auto& panels = plan.panels;
+  std::vector<double> left(columns, 0);
+  std::vector<double> width(columns, 0);
+  std::vector<double> right(columns, 0);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    left[i % columns] = std::max(left[i % columns], panels[i].insets.left);
+    right[i % columns] = std::max(right[i % columns], panels[i].insets.right);
+    width[i % columns] = std::max(width[i % columns], panels[i].plot.w);
+  }
+  double y = top;
+  for (std::size_t row = 0; row < panels.size(); row += columns) {
+    const auto in_row = std::span(plan.panels).subspan(row, std::min(columns, panels.size() - row));
+    const double body = place_row(in_row, y);
+    double x = page_margin;
+    for (std::size_t column = 0; column < in_row.size(); ++column) {
+      in_row[column].plot.x = x + left[column];
+      x += left[column] + width[column] + right[column] + column_gap;
+    }
+    y += body + row_gap;
+  }
+  return panels.empty() ? top : y - row_gap;
+}
+
+} // namespace
+
+void plan_ranges(const Figure& figure, FigurePlan& plan) {
+  std::vector<Extent> groups(plan.panels.size());
+  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    groups[share_group(figure, i, plan.columns)].add(value_extent(figure.panels[i], figure.kind));
+  }
+  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    const auto& panel = figure.panels[i];
+    const auto& extent = groups[share_group(figure, i, plan.columns)];
+    plan_swept(panel, figure.kind, plan.panels[i]);
+    if (figure.kind == Kind::lines) plan.panels[i].y = value_range(panel.y, extent);
+    if (figure.kind == Kind::polar) plan.panels[i].y = radius_range(panel.y, extent, plan.columns > 3 ? 5 : 8);
+    if (figure.kind == Kind::heatmap) plan.panels[i].value = colour_range(panel.value.value_or(Axis{}), extent);
+  }
+}
+
+FigurePlan plan_figure(const Figure& figure) {
+  FigurePlan plan;
+  plan.id = clean_id(figure.id);
+  plan.columns = std::clamp(figure.columns, 1, std::max(1, static_cast<int>(figure.panels.size())));
+  plan.width = plan.columns == 1 ? 640 : 720;
+  const double width = plan.width - 2 * page_margin;
+  plan.title = fit_text(figure.title, font::title, width, 2, true);
+  const auto legend = plan_legend(figure);
+  plan.legend = lay_out_legend(legend.shared, width);
+
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    auto& panel = plan.panels.emplace_back();
+    panel.panel = &figure.panels[i];
+    panel.id = plan.id + "-p" + std::to_string(i + 1);
+    panel.looks = legend.looks[i];
+  }
+  plan_ranges(figure, plan);
+  if (figure.kind == Kind::polar) {
+    measure_polar(figure, plan, width - (plan.columns - 1) * column_gap);
+  } else if (figure.kind == Kind::profile) {
+    measure_profile(figure, plan, width - (plan.columns - 1) * column_gap);
+  } else {
+    measure_cartesian(figure, plan, width - (plan.columns - 1) * column_gap);
+  }
+  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    throw_if_interrupted();
+    auto& panel = plan.panels[i];
+    const double room = panel.plot.w + panel.insets.left + panel.insets.right - 8;
+    panel.title = fit_text(panel.panel->title, font::panel_title, room, 2, true);
+    panel.note = fit_text(notes_line(*panel.panel), font::tick, room, 2);
+    panel.legend = lay_out_legend(legend.own[i], room);
+  }
+  double y = page_margin + (plan.title.lines.empty() ? 0 : plan.title.height() + 6);
+  plan.legend_top = y;
+  y += plan.legend.placed.empty() ? 0 : plan.legend.height + 8;
+  plan.height = std::ceil(place_panels(plan, y) + page_margin);
+  return plan;
+}
+
+} // namespace brdfplot::plot

@@ -1,0 +1,114 @@
+/// \file
+/// The plan of a figure: everything measured and placed before anything is drawn.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/model.hpp"
+#include "draw/svg/legend.hpp"
+#include "draw/svg/writer.hpp"
+#include "draw/ticks.hpp"
+
+namespace brdfplot::plot {
+
+/// The sizes of text, in user units.
+namespace font {
+inline constexpr double title = 17;
+inline constexpr double panel_title = 14;
+inline constexpr double axis = 13;
+inline constexpr double tick = 12;
+} // namespace font
+
+/// The room that a panel needs around its plotting area.
+struct Insets {
+  double left = 0;
+  double right = 0;
+  double top = 0;
+  double bottom = 0;
+};
+
+/// A label of a polar plot, with its place relative to the centre, or of an arrow of a profile.
+struct PolarLabel {
+  std::string text;
+  double size = font::tick;
+  Box box;
+};
+
+struct PanelPlan {
+  const Panel* panel = nullptr;
+  std::string id; ///< prefix for ids within the document
+  std::vector<Look> looks;
+  Range x;
+  Range y;
+  Range value;
+  Ticks x_ticks;
+  Ticks y_ticks;
+  Ticks value_ticks;
+  FittedText title;
+  FittedText note; ///< the notes, in a line under the title
+  FittedText x_title;
+  FittedText y_title;
+  FittedText value_title;
+  bool bar = false;    ///< whether the colour bar stands beside this panel
+  bool narrow = false; ///< whether a polar plot has room for a few labels only
+  LegendLayout legend;
+  double title_top = 0;
+  double legend_top = 0;
+  Insets insets;
+  Box plot;
+  std::vector<PolarLabel> labels;
+};
+
+struct FigurePlan {
+  std::string id;
+  double width = 0;
+  double height = 0;
+  int columns = 1;
+  FittedText title;
+  LegendLayout legend;
+  double legend_top = 0;
+  std::vector<PanelPlan> panels;
+};
+
+inline constexpr double page_margin = 14;
+
+/// Measures and places all parts of a figure.
+FigurePlan plan_figure(const Figure& figure);
+
+/// Sets the ranges of all panels, shared as the figure asks.
+void plan_ranges(const Figure& figure, FigurePlan& plan);
+
+/// Sets ticks, axis titles, insets and sizes of plots with straight axes in a grid of the given width.
+void measure_cartesian(const Figure& figure, FigurePlan& plan, double width);
+
+/// The same for polar plots.
+void measure_polar(const Figure& figure, FigurePlan& plan, double width);
+
+/// The same for profiles, whose scale is that of both axes; Share other than none: that of all panels.
+void measure_profile(const Figure& figure, FigurePlan& plan, double width);
+
+/// Grid lines, under the data.
+void draw_grid(SvgWriter& svg, const PanelPlan& plan);
+/// Frame, ticks, their labels and the axis titles, over the data.
+void draw_axes(SvgWriter& svg, const PanelPlan& plan);
+
+void draw_lines(SvgWriter& svg, const PanelPlan& plan);
+void draw_polar(SvgWriter& svg, const PanelPlan& plan);
+void draw_heatmap(SvgWriter& svg, const PanelPlan& plan);
+void draw_profile(SvgWriter& svg, const PanelPlan& plan);
+
+/// The ends of the bars of a simulated series: two standard errors above and below its values.
+std::vector<double> upper_bounds(const Series& series);
+std::vector<double> lower_bounds(const Series& series);
+
+/// Whether the colours of a heat map diverge from zero: values of both signs on a linear scale.
+bool is_diverging(const PanelPlan& plan);
+
+/// The place of a pair of values in the plotting area.
+Point to_point(const PanelPlan& plan, double x, double y);
+
+/// Appends a polyline of values, broken where a point cannot be shown and cut at the edges of the plotting area.
+void append_curve(PathData& path, const PanelPlan& plan, const std::vector<double>& x, const std::vector<double>& y);
+
+} // namespace brdfplot::plot

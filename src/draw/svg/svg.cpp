@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "base/interrupt.hpp"
+#include "draw/number_text.hpp"
+#include "draw/svg/plan.hpp"
+
+namespace brdfplot::plot {
+
+namespace {
+
+constexpr std::string_view font_stack = "'Helvetica Neue',Helvetica,Arial,'DejaVu Sans',sans-serif";
+
+void append_root(std::string& out, const FigurePlan& plan) {
+  std::string width;
+  std::string height;
+  append_fixed(width, plan.width);
+  append_fixed(height, plan.height);
+  out += "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + width + "\" height=\"" + height +
+         "\" viewBox=\"0 0 " + width + " " + height + "\" aria-labelledby=\"" + plan.id + "-title " + plan.id +
+         "-desc\" font-family=\"";
+  out.append(font_stack).append("\">\n");
+}
+
+void append_description(std::string& out, const Figure& figure, const FigurePlan& plan) {
+  out += "<title id=\"" + plan.id + "-title\">";
+  append_escaped(out, strip_markup(figure.title.empty() ? figure.id : figure.title));
+  out += "</title>\n<desc id=\"" + plan.id + "-desc\">";
+  append_escaped(out, strip_markup(figure.description));
+  out += "</desc>\n";
+}
+
+void append_style(std::string& out, const FigurePlan& plan) {
+  out += "<style>\n";
+  append_chrome_rules(out);
+  std::set<std::string> colours;
+  for (const auto& panel : plan.panels) {
+    if (panel.panel->grid) continue;
+    for (const auto& look : panel.looks) colours.insert(look.colour);
+  }
+  for (const auto& colour : colours) append_colour_rules(out, colour);
+  for (const bool diverging : {false, true}) {
+    const auto uses = [&](const PanelPlan& p) { return p.panel->grid && is_diverging(p) == diverging; };
+    if (std::any_of(plan.panels.begin(), plan.panels.end(), uses)) append_map_rules(out, diverging);
+  }
+  out += ".bp-line{stroke-linejoin:round}\n.bp-cells{shape-rendering:crispEdges}\n</style>\n";
+}
+
+void draw_head(SvgWriter& svg, const PanelPlan& panel) {
+  const double middle = panel.plot.x + panel.plot.w / 2;
+  svg.lines({middle, panel.title_top}, panel.title, Anchor::middle);
+  const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
+  svg.lines({middle, panel.title_top + title}, panel.note, Anchor::middle, "bp-muted");
+  draw_legend(svg, panel.legend, {panel.plot.x - panel.insets.left + 4, panel.legend_top});
+}
+
+} // namespace
+
+std::string to_svg(const Figure& figure) {
+  const auto plan = plan_figure(figure);
+  std::string out;
+  out.reserve(16384);
+  append_root(out, plan);
+  append_description(out, figure, plan);
+  append_style(out, plan);
+  SvgWriter svg(out);
+  svg.rect({0, 0, plan.width, plan.height}, "bg bp-bg");
+  svg.lines({page_margin, page_margin}, plan.title, Anchor::start, "bp-ink bp-title");
+  draw_legend(svg, plan.legend, {page_margin, plan.legend_top});
+  for (const auto& panel : plan.panels) {
+    throw_if_interrupted();
+    svg.open_group("bp-panel");
+    draw_head(svg, panel);
+    switch (figure.kind) {
+    case Kind::lines: draw_lines(svg, panel); break;
+    case Kind::polar: draw_polar(svg, panel); break;
+    case Kind::heatmap: draw_heatmap(svg, panel); break;
+    case Kind::profile: draw_profile(svg, panel); break;
+    }
+    svg.close_group();
+  }
+  out += "</svg>\n";
+  return out;
+}
+
+} // namespace brdfplot::plot

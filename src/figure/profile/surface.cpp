@@ -1,0 +1,199 @@
+#include "figure/profile/surface.hpp"
+
+#include "base/errors.hpp"
+#include "base/interruptible.hpp"
+#include "base/number.hpp"
+#include "base/random.hpp"
+#include "brdf/evaluate.hpp"
+#include "models/registry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace brdfplot::plot {
+
+namespace {
+
+/// Facets are drawn a little apart.
+constexpr double facet_width = 0.86;
+
+/// Two independent normal numbers (Box and Muller).
+std::pair<double, double> normal_pair(Random& random) {
+  const double radius = std::sqrt(-2 * std::log(random.uniform()));
+  const double phi = 2 * std::numbers::pi * random.uniform();
+  return {radius * std::cos(phi), radius * std::sin(phi)};
+}
+
+Profile uncorrelated(const UncorrelatedSurface& surface, std::uint64_t seed) {
+  Profile out;
+  IndependentFacets facets{surface.alpha, 0, {}, {}, {}};
+  Random random(seed, 0);
+  const auto count = static_cast<std::size_t>(surface.samples);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [u, v] = normal_pair(random);
+    const double x = static_cast<double>(k) + 0.5, h = surface.rms_height * u;
+    const double rise = facet_width / 2 * surface.alpha / std::numbers::sqrt2 * v;
+    out.facets.push_back({x - facet_width / 2, h - rise, x + facet_width / 2, h + rise});
+    facets.below.push_back(std::erfc(-u / std::numbers::sqrt2) / 2);
+    facets.viewer.push_back(random.uniform());
+    facets.light.push_back(random.uniform());
+  }
+  out.period = surface.samples;
+  out.independent = std::move(facets);
+  return out;
+}
+
+/// The slopes' roughness in the plane of a cut.
+double alpha_along(const SlopeMap& slopes, bool along_y) { return along_y ? slopes.alpha_y : slopes.alpha_x; }
+
+Microsurface model_of(ModelChoice distribution, const std::string& masking) {
+  return build_microsurface({.distribution = std::move(distribution), .masking = {.type = masking}, .shadowing = {}});
+}
+
+Made<ProfileSurface> made(const ModelChoice& choice) {
+  auto surface = make_model<ProfileSurface>(choice);
+  if (std::holds_alternative<ParameterError>(surface)) return surface;
+  const auto problem = std::visit([](const auto& s) { return s.problem(); }, std::get<ProfileSurface>(surface));
+  if (problem) return *problem;
+  if (choice.values.has("mean_slope") && choice.values.vec2("mean_slope") != Vec2{0, 0})
+    return ParameterError{"mean_slope", "a profile is level, and is inclined by \"shear\"; accepted: [0, 0]"};
+  return surface;
+}
+
+} // namespace
+
+ModelSpec UncorrelatedSurface::spec() {
+  const Bounds positive{.min = 0, .open_min = true};
+  return {.type = "uncorrelated",
+          .doc = "facets whose heights and slopes are independent and Gaussian, as Smith's model has them",
+          .source = "Smith 1967; Heitz 2014, section 4.1",
+          .parameters = {{.key = "alpha", .bounds = positive, .doc = "roughness"},
+                         {.key = "rms_height", .bounds = positive, .fallback = 1.0, .doc = "in widths of a facet"},
+                         {.key = "samples",
+                          .bounds = {.min = 8, .max = 1e6},
+                          .fallback = 4096.0,
+                          .doc = "facets, over which numbers are measured; a whole number"}}};
+}
+
+UncorrelatedSurface UncorrelatedSurface::from(const Values& values) {
+  return {values.number("alpha"), values.number("rms_height"), values.number("samples")};
+}
+
+std::optional<ParameterError> UncorrelatedSurface::problem() const {
+  if (samples == std::floor(samples)) return std::nullopt;
+  return ParameterError{"samples", "found " + format_number(samples) + ", accepted: a whole number in [8, 1e6]"};
+}
+
+std::optional<ParameterError> problem_of(const ModelChoice& choice) {
+  const auto made_surface = made(choice);
+  const auto* error = std::get_if<ParameterError>(&made_surface);
+  return error == nullptr ? std::nullopt : std::optional(*error);
+}
+
+std::size_t cut_count(const ModelChoice& choice) {
+  const auto surface = std::get<ProfileSurface>(made(choice));
+  return std::visit(
+      [](const auto& of) -> std::size_t {
+        if constexpr (requires { of.mesh; }) return static_cast<std::size_t>(of.mesh.samples);
+        if constexpr (requires { of.pairs; }) return static_cast<std::size_t>(of.pairs);
+        return 1;
+      },
+      surface);
+}
+
+Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_y_(along_y) {
+  const auto made_surface = made(choice);
+  if (const auto* error = std::get_if<ParameterError>(&made_surface)) throw InputError(error->key, error->what);
+  const auto& surface = std::get<ProfileSurface>(made_surface);
+  count_ = cut_count(choice);
+  cavities_ = choice.type == "v_cavity";
+  std::visit(
+      [&](const auto& of) {
+        if constexpr (requires { of.realise(seed, 0); }) {
+          auto realisation = interruptible([of, seed] { return of.realise(seed, 0); });
+          fields_ = std::move(realisation.fields);
+          correlation_length_ = realisation.correlation_length;
+          alpha_ = alpha_along(of.asked().value(), along_y);
+          if (!cavities_) slopes_ = of.target().value().type;
+        } else if constexpr (requires { of.alpha; }) {
+          only_ = uncorrelated(of, seed);
+          slopes_ = "beckmann";
+          alpha_ = of.alpha;
+        } else {
+          only_ = joined({0, 0});
+        }
+      },
+      surface);
+}
+
+std::vector<double> Cuts::heights(std::size_t k) const {
+  const auto& field = cavities_ ? fields_.at(k) : fields_.front();
+  const int cut = cavities_ ? 0 : static_cast<int>(k);
+  std::vector<double> out;
+  const int count = along_y_ && !cavities_ ? field.ny() : field.nx();
+  for (int i = 0; i < count; ++i) out.push_back(along_y_ && !cavities_ ? field.height(cut, i) : field.height(i, cut));
+  return out;
+}
+
+Profile Cuts::profile(std::size_t k) const {
+  if (fields_.empty()) return only_;
+  std::vector<double> all = heights(k);
+  // Heights are from the mean of the surface; one row of a ridge has its mean.
+  const double mean = cavities_ ? std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size()) : 0;
+  for (double& h : all) h -= mean;
+  return joined(all);
+}
+
+std::vector<std::size_t> Cuts::surface_of(std::size_t k) const {
+  if (cavities_) return {k};
+  std::vector<std::size_t> all(count_);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+double Cuts::theta_m(std::size_t k) const {
+  return std::atan(std::fabs(fields_.at(k).height(1, 0) - fields_.at(k).height(0, 0)));
+}
+
+std::optional<double> Cuts::g1(std::size_t k, double theta, const Distortion& distortion) const {
+  if (cavities_) {
+    // The normal that leans towards the viewer: whenever one faces theta, this one does.
+    const double towards = std::copysign(theta_m(k), theta);
+    ModelChoice any{.type = "beckmann", .values = {}}; // Eq. 49 asks for no distribution
+    any.values.set("alpha", 1.0);
+    const Microsurface surface = model_of(std::move(any), "v_cavity");
+    return evaluate(surface, Quantity::g1, from_angles(theta, 0), std::nullopt, from_angles(towards, 0));
+  }
+  if (slopes_.empty()) return std::nullopt;
+  ModelChoice distribution{.type = slopes_, .values = {}};
+  distribution.values.set("alpha", alpha_ / distortion.stretch);
+  distribution.values.set("mean_slope", Vec2{distortion.shear, 0});
+  return evaluate(model_of(std::move(distribution), "smith"), Quantity::g1, from_angles(distortion.of(theta), 0),
+                  std::nullopt, std::nullopt);
+}
+
+std::size_t Cuts::correlation_length() const {
+  return static_cast<std::size_t>(std::max(std::lround(correlation_length_), 1L));
+}
+
+double autocorrelation(const Cuts& cuts, std::size_t distance) {
+  double products = 0, squares = 0;
+  for (std::size_t k = 0; k < cuts.count(); ++k) {
+    throw_if_interrupted();
+    const Profile profile = cuts.profile(k);
+    const std::size_t count = profile.facets.size();
+    const auto height = [&](std::size_t i) {
+      const Segment& s = profile.facets[i % count];
+      return (s.h0 + s.h1) / 2;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      products += height(i) * height(i + distance);
+      squares += height(i) * height(i);
+    }
+  }
+  return squares > 0 ? products / squares : 0;
+}
+
+} // namespace brdfplot::plot

@@ -1,0 +1,89 @@
+/// \file
+/// The surfaces that a profile may be cut from: those that are generated for rays, and two that only a model has.
+#pragma once
+
+#include "figure/profile/profile.hpp"
+#include "simulation/surfaces/gaussian.hpp"
+#include "simulation/surfaces/ggx.hpp"
+#include "simulation/surfaces/v_cavity.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace brdfplot::plot {
+
+/// The surface of Smith's model (Heitz 2014, section 4.1): facets of unit width whose heights and slopes are
+/// independent of each other and of their neighbours', both Gaussian.
+struct UncorrelatedSurface {
+  double alpha = 1;
+  double rms_height = 1;
+  double samples = 4096;
+
+  static ModelSpec spec();
+  static UncorrelatedSurface from(const Values& values);
+  std::optional<ParameterError> problem() const;
+};
+
+/// The geometric surface itself.
+struct FlatSurface {
+  static ModelSpec spec() {
+    return {.type = "flat", .doc = "the geometric surface", .source = "Heitz 2014, section 2.2"};
+  }
+  static FlatSurface from(const Values&) { return {}; }
+  std::optional<ParameterError> problem() const { return std::nullopt; }
+};
+
+using ProfileSurface = std::variant<simulation::GaussianSurface, //
+                                    simulation::GgxSurface,      //
+                                    simulation::VCavitySurface,  //
+                                    UncorrelatedSurface,         //
+                                    FlatSurface>;
+
+/// What is wrong with the choice of a surface, if anything is.
+std::optional<ParameterError> problem_of(const ModelChoice& choice);
+
+/// How many parallel cuts there are of a surface without a problem.
+std::size_t cut_count(const ModelChoice& choice);
+
+/// The parallel cuts through one surface.
+class Cuts {
+public:
+  /// Cuts along x, or along y. V-cavities have one cut for each pair of normals, across its ridges.
+  /// \throws InputError for what problem_of() tells.
+  Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y);
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] Profile profile(std::size_t k) const;
+  /// Which cuts are of one surface with cut k: all of them, but each pair of V-cavities is a surface of its own.
+  [[nodiscard]] std::vector<std::size_t> surface_of(std::size_t k) const;
+
+  /// What the model of the profile has for G1 of the facets of cut k that face theta, on the distorted surface:
+  /// 1 / (1 + Lambda) (Smith; Heitz 2014, Eq. 43), of V-cavities Eq. 49; none for a flat surface.
+  [[nodiscard]] std::optional<double> g1(std::size_t k, double theta, const Distortion& distortion) const;
+  [[nodiscard]] bool cavities() const { return cavities_; }
+  /// Of V-cavities: the angle of both normals of pair k from the geometric one.
+  [[nodiscard]] double theta_m(std::size_t k) const;
+  [[nodiscard]] bool is_independent() const { return only_.independent.has_value(); }
+
+  /// The distance at which the autocorrelation of heights is 1/e, in facets; of independent ones that of neighbours, 1.
+  [[nodiscard]] std::size_t correlation_length() const;
+
+private:
+  [[nodiscard]] std::vector<double> heights(std::size_t k) const;
+
+  std::vector<simulation::HeightField> fields_; ///< none: the profile is `only_`
+  Profile only_;
+  std::string slopes_; ///< type of the distribution, none for cavities and the flat surface
+  double alpha_ = 0;   ///< in the plane of the cut
+  bool cavities_ = false;
+  bool along_y_ = false;
+  std::size_t count_ = 1;
+  double correlation_length_ = 0;
+};
+
+/// Mean of h(x) h(x + distance) over that of h^2, over all cuts.
+double autocorrelation(const Cuts& cuts, std::size_t distance);
+
+} // namespace brdfplot::plot

@@ -1,0 +1,239 @@
+#include "figure/series/configuration.hpp"
+
+#include "base/interrupt.hpp"
+#include "base/number.hpp"
+#include "models/registry.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace brdfplot::plot {
+
+namespace {
+
+/// Sets a model's type by name; `values` that the new type may not have are its caller's business.
+template <class List>
+void set_type(ModelChoice& choice, const std::string& what, const std::string& type) {
+  const auto names = names_of(specs_of<List>());
+  if (std::ranges::find(names, type) == names.end()) throw InputError("", unknown_name(what, type, names));
+  choice.type = type;
+}
+
+/// Every variable that can be a number for this material.
+std::vector<std::string> numeric_variables(const MaterialDescription& material) {
+  std::vector<std::string> names = direction_variables();
+  const auto keys = parameter_keys(material);
+  names.insert(names.end(), keys.begin(), keys.end());
+  return names;
+}
+
+/// "coat.masking" as the term that it is of and what of it; without a dot, of the only term.
+std::pair<TermDescription*, std::string> term_of(MaterialDescription& material, const std::string& variable) {
+  const std::size_t dot = variable.find('.');
+  if (!material.listed) return {&material.terms.front(), variable};
+  std::string names;
+  for (TermDescription& term : material.terms) {
+    const std::string& name = term.name.empty() ? term.type : term.name;
+    if (dot != std::string::npos && variable.substr(0, dot) == name) return {&term, variable.substr(dot + 1)};
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw InputError("", "found \"" + variable + "\"; accepted: TERM. before the name of what is set, of " + names);
+}
+
+Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
+
+/// So many of direction_variables() move directions; what comes after them, and parameters, change the surface.
+constexpr std::ptrdiff_t moving_variables = 8;
+
+bool changes_surface(const std::string& variable) {
+  const auto& names = direction_variables();
+  return std::ranges::find(names, variable) - names.begin() >= moving_variables;
+}
+
+} // namespace
+
+const std::vector<std::string>& direction_variables() {
+  static const std::vector<std::string> names = {"theta_o", "phi_o", "theta_i",   "phi_i",     "theta_m", "phi_m",
+                                                 "a",       "slope", "stretch_x", "stretch_y", "shear_x", "shear_y"};
+  return names;
+}
+
+void Configuration::set_model(const std::string& variable, const std::string& type) {
+  if (variable == "channel") {
+    const auto found = std::ranges::find(channel_names(), type);
+    if (found == channel_names().end()) throw InputError("", unknown_name(variable, type, channel_names()));
+    channel_ = static_cast<Channel>(found - channel_names().begin());
+    return;
+  }
+  const auto numbers = numeric_variables(material_);
+  if (std::ranges::find(numbers, variable) != numbers.end())
+    throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
+  const auto [term, model] = term_of(material_, variable);
+  if (model == "distribution") {
+    set_type<Distribution>(term->distribution, variable, type);
+  } else if (model == "masking") {
+    term->masking.values = {};
+    set_type<Masking>(term->masking, variable, type);
+  } else if (model == "shadowing") {
+    term->shadowing = ModelChoice{};
+    set_type<Shadowing>(*term->shadowing, variable, type);
+  } else if (model == "fresnel") {
+    set_type<Fresnel>(term->fresnel, variable, type);
+  } else {
+    throw InputError(
+        "", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel", "channel"}));
+  }
+}
+
+void Configuration::set(const Setting& setting) {
+  if (const auto* text = std::get_if<std::string>(&setting.value)) return set_model(setting.variable, *text);
+  const double value = std::get<double>(setting.value);
+  const auto& names = direction_variables();
+  const auto found = std::ranges::find(names, setting.variable);
+  if (found == names.end()) {
+    const auto accepted = numeric_variables(material_);
+    if (std::ranges::find(accepted, setting.variable) == accepted.end())
+      throw InputError("", unknown_name("variable", setting.variable, accepted));
+    return set_parameter(material_, setting.variable, value);
+  }
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  if (index < 6) {
+    angle_[index] = value;
+  } else if (index == 6) {
+    a_ = value;
+  } else if (index == 7) {
+    slope_ = value;
+  } else if (index < 10) {
+    if (!(value > 0)) throw InputError("", "found " + format_number(value) + ", accepted: a number > 0");
+    stretch_[index - 8] = value;
+  } else {
+    shear_[index - 10] = value;
+  }
+}
+
+std::optional<double> Configuration::angle(const std::string& variable) const {
+  const auto& names = direction_variables();
+  return angle_.at(static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin()));
+}
+
+Vec2 Configuration::mean_slope() const {
+  for (const TermDescription& term : material_.terms)
+    if (term.distribution.values.has("mean_slope")) return term.distribution.values.vec2("mean_slope");
+  return {0, 0};
+}
+
+std::optional<Direction> Configuration::direction(std::size_t which) const {
+  const auto& theta = angle_[2 * which];
+  const auto& phi = angle_[2 * which + 1];
+  if (!theta) return std::nullopt;
+  return from_angles(*theta, phi.value_or(0));
+}
+
+MaterialDescription Configuration::transformed(const Material& material) const {
+  const Microsurface& surface = material.surface();
+  MaterialDescription description = material_;
+  TermDescription& term = description.terms[term_with_surface(description)];
+  if (!std::visit([](const auto& d) { return d.shape_invariant; }, surface.distribution))
+    throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
+                             term.distribution.type + "\" is none");
+  const SlopeMap& map = surface.slopes();
+  set_parameter(term, "alpha_x", map.alpha_x / stretch_[0]);
+  set_parameter(term, "alpha_y", map.alpha_y / stretch_[1]);
+  term.distribution.values.set("mean_slope",
+                               Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
+  return description;
+}
+
+Configuration::Surface Configuration::surface() const {
+  Material material = build(material_);
+  const SlopeMap before = a_ ? material.surface().slopes() : material.mesosurface();
+  if (!is_transformed()) return {material_, std::move(material), before};
+  MaterialDescription description = transformed(material);
+  material = build(description);
+  return {std::move(description), std::move(material), before};
+}
+
+Directions Configuration::directions(const Surface& surface) const {
+  Directions out{direction(0), direction(1), direction(2)};
+  if (a_) {
+    const double phi = angle_[1].value_or(0);
+    const double alpha_o = surface.before.project(from_angles(std::acos(0.0), phi)).s;
+    out.o = from_angles(std::atan2(1.0, *a_ * alpha_o), phi);
+  }
+  if (slope_) out.m = from_angles(std::atan(*slope_), angle_[5].value_or(0));
+  if (!is_transformed()) return out;
+  for (auto* direction : {&out.o, &out.i}) {
+    if (!*direction) continue;
+    const Direction d = stretched(**direction, stretch_[0], stretch_[1]);
+    *direction = normalized({d.x, d.y, d.z + shear_[0] * d.x + shear_[1] * d.y});
+  }
+  if (out.m) {
+    const Direction d = stretched(*out.m, 1 / stretch_[0], 1 / stretch_[1]);
+    out.m = normalized({d.x - shear_[0] * d.z, d.y - shear_[1] * d.z, d.z});
+  }
+  return out;
+}
+
+Configuration::Ready Configuration::ready() const {
+  Surface made = surface();
+  const Directions at = directions(made);
+  return {std::move(made.description), std::move(made.material), at.o, at.i, at.m, channel_};
+}
+
+SweptConfiguration::SweptConfiguration(const Term& term, std::vector<std::string> swept)
+    : fixed_(term.material), swept_(std::move(swept)) {
+  for (const auto& setting : term.at) fixed_.set(setting);
+  for (std::size_t k = 0; k < swept_.size(); ++k)
+    if (std::ranges::find(term.at, swept_[k], &Setting::variable) == term.at.end())
+      (changes_surface(swept_[k]) ? changing_ : moving_).push_back(k);
+  if (changing_.empty()) surface_ = fixed_.surface();
+}
+
+bool SweptConfiguration::is_constant() const { return changing_.empty() && moving_.empty(); }
+
+Configuration::Ready SweptConfiguration::at(const std::vector<double>& values) const {
+  Configuration configuration = fixed_;
+  for (const auto* variables : {&changing_, &moving_})
+    for (const std::size_t k : *variables) configuration.set({swept_[k], values[k]});
+  return configuration.ready();
+}
+
+std::vector<SweptConfiguration::Rows> SweptConfiguration::rows_by_surface(const SweptColumns& columns) const {
+  const std::size_t count = columns.empty() ? 1 : columns.front().size();
+  std::vector<Rows> groups;
+  std::map<std::vector<double>, std::size_t> known;
+  for (std::size_t row = 0; row < count; ++row) {
+    std::vector<double> values;
+    for (const std::size_t k : changing_) values.push_back(columns[k][row]);
+    const auto [place, is_new] = known.emplace(std::move(values), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[place->second].push_back(row);
+  }
+  return groups;
+}
+
+void SweptConfiguration::for_each_surface(const SweptColumns& columns, const Visitor& visit) const {
+  constexpr std::size_t most = 1024;
+  Configuration configuration = fixed_;
+  const auto set = [&](const std::vector<std::size_t>& variables, std::size_t row) {
+    for (const std::size_t k : variables) configuration.set({swept_[k], columns[k][row]});
+  };
+  for (const Rows& rows : rows_by_surface(columns)) {
+    set(changing_, rows.front());
+    const auto changed = surface_ ? std::nullopt : std::optional(configuration.surface());
+    const Configuration::Surface& surface = surface_ ? *surface_ : *changed;
+    for (std::size_t first = 0; first < rows.size(); first += most) {
+      throw_if_interrupted();
+      const auto from = rows.begin() + static_cast<std::ptrdiff_t>(first);
+      const Rows some(from, from + static_cast<std::ptrdiff_t>(std::min(most, rows.size() - first)));
+      std::vector<Directions> directions;
+      for (const std::size_t row : some) {
+        set(moving_, row);
+        directions.push_back(configuration.directions(surface));
+      }
+      visit(surface, some, directions);
+    }
+  }
+}
+
+} // namespace brdfplot::plot

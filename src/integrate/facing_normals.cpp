@@ -1,0 +1,170 @@
+#include "integrate/facing_normals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brdfplot {
+
+namespace {
+
+using std::numbers::pi;
+using Integrand = std::function<void(const std::vector<Direction>&, std::vector<double>&)>;
+
+/// L of m~ = mean + L u, and the lines e.u = 1 of the directions.
+class Frame {
+public:
+  Frame(const SlopeMap& map, std::span<const Direction> directions, bool kinked) : map_(map), kinked_(kinked) {
+    for (const Direction& omega : directions) {
+      const double c = map.project(omega).c;
+      lines_.push_back({(map.alpha_x * omega.x + map.correlation * map.alpha_y * omega.y) / c,
+                        map.decorrelation() * map.alpha_y * omega.y / c});
+    }
+  }
+
+  Direction normal(double u1, double u2) const {
+    const double x = map_.mean_x + map_.alpha_x * u1;
+    const double y = map_.mean_y + map_.alpha_y * (map_.correlation * u1 + map_.decorrelation() * u2);
+    const double z = 1 / std::hypot(1.0, x, y);
+    return {-x * z, -y * z, z};
+  }
+
+  /// d omega_m / d^2 u.
+  double jacobian(const Direction& omega_m) const { return map_.determinant() * omega_m.z * omega_m.z * omega_m.z; }
+
+  /// Where the ray of azimuth psi is cut: where the first facet turns away, kinks, and r = 0, as w = acot r, ascending.
+  std::vector<double> cuts_of_ray(double cos_psi, double sin_psi) const {
+    double end = 0;
+    std::vector<double> cuts = {0.5 * pi};
+    for (const Vec2& e : lines_) {
+      const double along = e[0] * cos_psi + e[1] * sin_psi;
+      if (along > 0) end = std::max(end, std::atan(along));
+      if (along < 0 && kinked_) cuts.push_back(std::atan(-along));
+    }
+    std::erase_if(cuts, [&](double w) { return w <= end; });
+    cuts.push_back(end);
+    std::ranges::sort(cuts);
+    return cuts;
+  }
+
+  /// Where psi is cut, ascending over one turn.
+  std::vector<double> cuts_of_turn() const {
+    std::vector<double> cuts = {-pi, 0};
+    const auto cut_across = [&](double x, double y) {
+      if (x == 0 && y == 0) return;
+      const double psi = std::atan2(y, x);
+      for (const double turned : {psi + 0.5 * pi, psi - 0.5 * pi}) cuts.push_back(std::remainder(turned, 2 * pi));
+    };
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const Vec2& e = lines_[k];
+      cut_across(e[0], e[1]);
+      for (const double r : {0.25, 1.0, 4.0}) cut_at_distance(e, r, cuts);
+      for (std::size_t other = 0; other < k; ++other) {
+        const Vec2& d = lines_[other];
+        cut_across(e[0] - d[0], e[1] - d[1]);
+        if (kinked_) cut_across(e[0] + d[0], e[1] + d[1]);
+      }
+    }
+    std::ranges::sort(cuts);
+    cuts.push_back(pi);
+    // Cuts of one place differ by rounding.
+    const auto same = [](double left, double right) { return right - left < 1e-12; };
+    cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
+    cuts.back() = pi;
+    return cuts;
+  }
+
+private:
+  /// A horizon close to the centre, as at grazing, sweeps over the mass within a small angle, which no rule sees unless
+  /// it is cut where the line (with kinks: and its mirror image) is at a distance r.
+  void cut_at_distance(const Vec2& e, double r, std::vector<double>& cuts) const {
+    const double norm = std::hypot(e[0], e[1]);
+    if (norm < 8) return;
+    const double psi = std::atan2(e[1], e[0]), turn = std::acos(1 / (norm * r));
+    for (const double side : {-turn, turn}) {
+      cuts.push_back(std::remainder(psi + side, 2 * pi));
+      if (kinked_) cuts.push_back(std::remainder(psi + pi + side, 2 * pi));
+    }
+  }
+
+  const SlopeMap& map_;
+  bool kinked_;
+  std::vector<Vec2> lines_; ///< e
+};
+
+/// The integral along one ray, over w = acot r: infinity is at 0, where numbers are dense.
+class Ray {
+public:
+  Ray(const Frame& frame, const Integrand& f) : frame_(frame), f_(f) {}
+
+  Estimate operator()(double psi, const Tolerance& tolerance) {
+    const double cos_psi = std::cos(psi);
+    const double sin_psi = std::sin(psi);
+    const auto over_w = [&](const double* w, double* y, std::size_t n) {
+      slopes_.resize(n);
+      for (std::size_t k = 0; k < n; ++k) slopes_[k] = 1 / std::tan(w[k]);
+      evaluate(cos_psi, sin_psi, y);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double sin_w = std::sin(w[k]);
+        if (y[k] != 0) y[k] /= sin_w * sin_w; // dr / dw
+      }
+    };
+    const auto cuts = frame_.cuts_of_ray(cos_psi, sin_psi);
+    Estimate estimate = integrate(over_w, cuts, tolerance);
+    if (cuts.front() > 0) return estimate;
+    constexpr double largest_slope = 1e65; // before the cube of z_m ends
+    estimate.error += power_tail(
+        [&](double r) {
+          double value = 0;
+          slopes_ = {r};
+          evaluate(cos_psi, sin_psi, &value);
+          return value;
+        },
+        largest_slope);
+    return estimate;
+  }
+
+private:
+  /// The integrand over r at `slopes_`.
+  void evaluate(double cos_psi, double sin_psi, double* y) {
+    const std::size_t n = slopes_.size();
+    normals_.resize(n);
+    values_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) normals_[k] = frame_.normal(slopes_[k] * cos_psi, slopes_[k] * sin_psi);
+    f_(normals_, values_);
+    for (std::size_t k = 0; k < n; ++k)
+      y[k] = values_[k] == 0 ? 0 : values_[k] * frame_.jacobian(normals_[k]) * slopes_[k];
+  }
+
+  const Frame& frame_;
+  const Integrand& f_;
+  std::vector<double> slopes_;
+  std::vector<Direction> normals_;
+  std::vector<double> values_;
+};
+
+} // namespace
+
+Estimate integrate_over_facing(const SlopeMap& map, std::span<const Direction> directions, bool kinked,
+                               const Integrand& f, const Tolerance& tolerance) {
+  const Frame frame(map, directions, kinked);
+  Ray ray(frame, f);
+  std::size_t evaluations = 0;
+  double worst_ray = 0;
+  const Tolerance of_ray{0.05 * tolerance.absolute, std::max(1e-13, 0.05 * tolerance.relative)};
+  const auto outer = [&](const double* psi, double* y, std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Estimate estimate = ray(psi[k], of_ray);
+      y[k] = estimate.value;
+      worst_ray = std::max(worst_ray, estimate.error);
+      evaluations += estimate.evaluations;
+    }
+  };
+  Estimate estimate =
+      integrate(outer, frame.cuts_of_turn(), {0.5 * tolerance.absolute, 0.5 * tolerance.relative}, 4000);
+  estimate.error += 2 * pi * worst_ray;
+  estimate.evaluations = evaluations;
+  return estimate;
+}
+
+} // namespace brdfplot

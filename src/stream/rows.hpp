@@ -1,0 +1,78 @@
+/// \file
+/// CSV as it comes from a file or a pipe: blocks of whole rows, and the fields of a row (RFC 4180).
+///
+/// A field that starts with a quote may hold commas, doubled quotes and line breaks. LF and CRLF end a row; the last
+/// one needs no end. A byte order mark at the start is dropped.
+#pragma once
+
+#include "base/text_files.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace brdfplot {
+
+/// Goes through the fields of a text of whole rows, one by one.
+class FieldScanner {
+public:
+  explicit FieldScanner(std::string_view text) : text_(text) {}
+
+  bool at_end() const { return position_ >= text_.size(); }
+  std::size_t position() const { return position_; }
+  /// The next field as it stands, quotes included; afterwards row_ended() tells whether it was the last of its row.
+  std::string_view next();
+  /// The same for a field that is a finite number and nothing else, which is then in `number`. Otherwise false, and the
+  /// field is still the next one: it may be quoted, have blanks or a unit, or be wrong.
+  bool next_number(double& number);
+  bool row_ended() const { return row_ended_; }
+  /// Whether the text ended instead of the row: there is more to read, or a quote is not closed.
+  bool cut() const { return cut_; }
+  /// How many lines ended so far, those inside quotes among them.
+  std::size_t lines() const { return lines_; }
+
+private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+  std::size_t lines_ = 0;
+  bool row_ended_ = false;
+  bool cut_ = false;
+};
+
+/// A field without its quotes and surrounding blanks.
+std::string unquoted(std::string_view field);
+
+bool is_blank(std::string_view text);
+
+/// Whole rows, and the line of the file at which they start (from 1).
+struct RowBlock {
+  std::string text;
+  std::size_t first_line = 1;
+};
+
+/// Cuts a stream at the ends of rows. Holds one incomplete row at most.
+class RowReader {
+public:
+  /// `block_size`: how much is asked of the file at once; what comes at once is a block.
+  RowReader(InputFile& file, std::size_t block_size) : file_(file), block_size_(block_size) {}
+
+  /// The first row that is not blank, without its end: the header. Empty at the end of the file.
+  std::string header();
+  std::size_t header_line() const { return header_line_; }
+  /// Every row with its end; false when there are no more. \throws InputError for a row of more than 16 MiB: a quote
+  /// that nothing closes.
+  bool next(RowBlock& block);
+
+private:
+  bool fill();
+
+  InputFile& file_;
+  std::size_t block_size_;
+  std::string rest_; ///< read, but not yet handed out
+  std::size_t line_ = 1;
+  std::size_t header_line_ = 1;
+  bool started_ = false;
+  bool ended_ = false;
+};
+
+} // namespace brdfplot

@@ -1,0 +1,103 @@
+#include "draw/html/page.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "draw/figures.hpp"
+#include "draw/markup.hpp"
+#include "draw/model.hpp"
+
+namespace {
+
+using namespace brdfplot::plot;
+using plot_tests::count;
+
+PageEntry entry_of(const Figure& figure, const std::string& section) {
+  PageEntry entry;
+  entry.id = figure.id;
+  entry.section = section;
+  entry.title = figure.title;
+  entry.caption = "As α_x grows & shrinks, from heitz2014_x.";
+  entry.svg = to_svg(figure);
+  entry.csv = to_csv(figure);
+  entry.json = "{\"id\": \"<" + figure.id + ">\"}";
+  entry.seconds = 1.234;
+  return entry;
+}
+
+Page page() {
+  Page page;
+  page.title = "Report <1>";
+  page.introduction = "First & only.\n\nSecond.";
+  page.footer = "made by brdfplot";
+  page.entries.push_back(entry_of(plot_tests::lines_figure(), "One"));
+  page.entries.push_back(entry_of(plot_tests::polar_figure(), "One"));
+  page.entries.push_back(entry_of(plot_tests::heatmap_figure(), "Two"));
+  PageEntry table;
+  table.id = "verify";
+  table.section = "Two";
+  table.title = "Verification";
+  table.table = {{"check", "D_{GGX}"}, {"energy", "1.5"}, {"<b>", "2e-3"}};
+  page.entries.push_back(table);
+  return page;
+}
+
+} // namespace
+
+TEST_CASE("the page is well-formed, and all ids on it differ") {
+  CHECK(plot_tests::fault_of(to_html(page()), {"meta", "link", "br"}) == "");
+  CHECK(plot_tests::fault_of(to_html(Page{}), {"meta", "link", "br"}) == "");
+}
+
+TEST_CASE("the page needs nothing from outside") {
+  const auto html = to_html(page());
+  CHECK(count(html, "http://") == count(html, "xmlns=\"http://www.w3.org/2000/svg\""));
+  CHECK(count(html, "https://") == 0);
+  CHECK(count(html, "src=") == 0);
+  CHECK(count(html, "@import") == 0);
+  CHECK(count(html, "<link rel=\"icon\" href=\"data:,\">") == 1);
+}
+
+TEST_CASE("the page numbers figures and tables and links to them") {
+  const auto html = to_html(page());
+  CHECK(count(html, "<strong>Figure 3.</strong>") == 1);
+  CHECK(count(html, "<strong>Table 1.</strong>") == 1);
+  for (const char* id : {"g1", "lobes", "map", "verify", "section-1", "section-3"}) {
+    CHECK(count(html, std::string(" id=\"") + id + "\"") == 1);
+    CHECK(count(html, std::string("href=\"#") + id + "\"") == 1);
+  }
+  CHECK(count(html, "<h2>") == 2);
+}
+
+TEST_CASE("text of the page is escaped, and markup of labels becomes sub and sup") {
+  const auto html = to_html(page());
+  CHECK(count(html, "<title>Report &lt;1&gt;</title>") == 1);
+  CHECK(count(html, "<p>First &amp; only.</p>\n<p>Second.</p>") == 1);
+  CHECK(count(html, "As α<sub>x</sub> grows &amp; shrinks, from heitz2014_x.") == 3);
+  CHECK(count(html, "{&quot;id&quot;: &quot;&lt;g1&gt;&quot;}") == 1);
+  CHECK(count(html, "<th scope=\"col\" class=\"num\">D<sub>GGX</sub></th>") == 1);
+  CHECK(count(html, "<td>&lt;b&gt;</td><td class=\"num\">2e-3</td>") == 1);
+}
+
+TEST_CASE("data can be downloaded from the page") {
+  Page small;
+  PageEntry entry;
+  entry.id = "a";
+  entry.csv = "x,y\n1,2\n";
+  entry.svg = "<svg/>";
+  small.entries.push_back(entry);
+  const auto html = to_html(small);
+  CHECK(count(html, "download=\"a.csv\" href=\"data:text/csv;charset=utf-8;base64,eCx5CjEsMgo=\"") == 1);
+  CHECK(count(html, "download=\"a.svg\" href=\"data:image/svg+xml;base64,PHN2Zy8+\"") == 1);
+}
+
+TEST_CASE("the page has light, dark, narrow and print styles") {
+  const auto html = to_html(page());
+  CHECK(count(html, "prefers-color-scheme:dark") == 1);
+  CHECK(count(html, "--bp-s0:") == 1);
+  CHECK(count(html, "--bp-r20:") == 1);
+  CHECK(count(html, "@media print") == 1);
+  CHECK(count(html, "<html lang=\"en\">") == 1);
+  CHECK(count(html, "name=\"viewport\"") == 1);
+}

@@ -1,0 +1,170 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "draw/figures.hpp"
+#include "draw/markup.hpp"
+#include "draw/model.hpp"
+
+namespace {
+
+using namespace brdfplot::plot;
+using plot_tests::count;
+using plot_tests::fault_of;
+
+/// The path data of the first series in this colour.
+std::string series_path(const std::string& svg, const std::string& colour) {
+  const auto panel = svg.find("<g clip-path");
+  const auto at = svg.find("bp-" + colour, panel);
+  const auto data = svg.find(" d=\"", at) + 4;
+  return svg.substr(data, svg.find('"', data) - data);
+}
+
+} // namespace
+
+TEST_CASE("the check for well-formed markup finds faults") {
+  for (const char* bad : {"<a><b></a>", "<a>", "</a>", "<a>&</a>", "<a>1 < 2</a>", "<a id=\"x\"/><b id=\"x\"/>"}) {
+    CAPTURE(bad);
+    CHECK(fault_of(bad) != "");
+  }
+  CHECK(fault_of("<a id=\"x\">&amp;<b/></a>") == "");
+}
+
+TEST_CASE("SVG of each kind is a well-formed, described, scalable document") {
+  for (const auto& figure :
+       {plot_tests::lines_figure(), plot_tests::polar_figure(), plot_tests::heatmap_figure(), Figure{}}) {
+    CAPTURE(figure.id);
+    const auto svg = to_svg(figure);
+    CHECK(fault_of(svg) == "");
+    CHECK(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+    CHECK(count(svg, "role=\"img\"") == 1);
+    CHECK(count(svg, " viewBox=\"0 0 ") == 1);
+    CHECK(svg.find("<title") < svg.find("<desc"));
+    CHECK(svg.find("<desc") < svg.find("<style"));
+    CHECK(count(svg, "class=\"bg ") == 1);
+    CHECK(count(svg, "nan") == count(svg, "-nan")); // class and variable names only
+    CHECK(count(svg, "inf") == 0);
+    CHECK(svg == to_svg(figure));
+  }
+}
+
+TEST_CASE("SVG text is escaped and has its scripts lowered") {
+  const auto svg = to_svg(plot_tests::lines_figure());
+  CHECK(count(svg, "Masking G_1 &lt;of&gt; A &amp; B</title>") == 1);
+  CHECK(count(svg, "How much is &quot;seen&quot;.</desc>") == 1);
+  CHECK(count(svg, ">1</tspan><tspan dy=\"-4.08\"> &lt;of&gt; A &amp; B</tspan>") == 1);
+}
+
+TEST_CASE("a shared legend names each label once, and panels without common labels have their own") {
+  auto figure = plot_tests::lines_figure();
+  const auto shared = to_svg(figure);
+  CHECK(count(shared, ">GGX<") == 1);
+  CHECK(count(shared, ">Beckmann<") == 1);
+  CHECK(count(shared, "class=\"bp-legend\"") == 1);
+
+  figure.panels[1].series[0].label = "Phong";
+  figure.panels[1].series[1].label = "Ward";
+  const auto own = to_svg(figure);
+  for (const char* label : {">GGX<", ">Beckmann<", ">Phong<", ">Ward<"}) CHECK(count(own, label) == 1);
+  CHECK(count(own, "class=\"bp-legend\"") == 2);
+}
+
+TEST_CASE("a panel whose only series has no label needs no legend") {
+  auto figure = plot_tests::lines_figure();
+  figure.panels.resize(1);
+  figure.panels[0].series.resize(1);
+  figure.panels[0].series[0].label.clear();
+  CHECK(count(to_svg(figure), "bp-legend") == 0);
+}
+
+TEST_CASE("NaN breaks a line, and a point on its own is a dot") {
+  auto figure = plot_tests::lines_figure();
+  auto& y = figure.panels[0].series[0].y;
+  CHECK(count(series_path(to_svg(figure), "s0"), "M") == 1);
+  y[20] = std::nan("");
+  CHECK(count(series_path(to_svg(figure), "s0"), "M") == 2);
+  y[22] = std::numeric_limits<double>::infinity();
+  const auto path = series_path(to_svg(figure), "s0");
+  CHECK(count(path, "M") == 3);
+  CHECK(count(path, "A") == 2);
+}
+
+TEST_CASE("data outside the axis are cut off") {
+  auto figure = plot_tests::lines_figure();
+  figure.panels[0].y.from = 0;
+  figure.panels[0].y.to = 1;
+  figure.panels[0].series[0].y[20] = 1e300;
+  const auto svg = to_svg(figure);
+  CHECK(count(series_path(svg, "s0"), "M") == 2);
+  CHECK(count(svg, "clip-path=\"url(#g1-p1-clip)\"") == 1);
+}
+
+TEST_CASE("a value range is shared on demand") {
+  auto figure = plot_tests::lines_figure();
+  for (auto& value : figure.panels[1].series[0].y) value *= 1000;
+  CHECK(count(to_svg(figure), ">1000<") == 1);
+  figure.share = Share::rows;
+  CHECK(count(to_svg(figure), ">1000<") == 2);
+  figure.columns = 1;
+  CHECK(count(to_svg(figure), ">1000<") == 1);
+  figure.share = Share::all;
+  CHECK(count(to_svg(figure), ">1000<") == 2);
+}
+
+TEST_CASE("ramps get a colour of their own for each place") {
+  auto figure = plot_tests::lines_figure();
+  figure.panels[0].series[0].ramp = 0;
+  figure.panels[0].series[1].ramp = 1;
+  figure.panels.resize(1);
+  const auto svg = to_svg(figure);
+  CHECK(count(svg, ".bp-r0{") == 1);
+  CHECK(count(svg, ".bp-r20{") == 1);
+  CHECK(count(svg, ".bp-s0{") == 0);
+}
+
+TEST_CASE("polar plots show half a disc, or the full one for angles below the surface") {
+  auto figure = plot_tests::polar_figure();
+  const auto half = to_svg(figure);
+  CHECK(count(half, ">−90°<") == 1);
+  CHECK(count(half, ">180°<") == 0);
+  CHECK(count(half, ">ω<tspan") == 2);
+  figure.panels[0].arrows[0].theta = 3;
+  const auto full = to_svg(figure);
+  CHECK(count(full, ">180°<") == 1);
+  CHECK(fault_of(full) == "");
+}
+
+TEST_CASE("heat maps merge cells of one colour and mark those without value") {
+  const auto svg = to_svg(plot_tests::heatmap_figure());
+  CHECK(count(svg, "class=\"bp-nan\"") == 2); // the cells and the legend
+  CHECK(count(svg, ">undefined<") == 1);
+  CHECK(count(svg, ">boundary<") == 1);
+  const auto cells = svg.find("class=\"bp-q0\"");
+  const auto data = svg.substr(cells, svg.find("/>", cells) - cells);
+  CHECK(count(data, "M") == 1); // four cells of value 0
+}
+
+TEST_CASE("heat maps of both signs diverge from white") {
+  auto figure = plot_tests::heatmap_figure();
+  figure.panels[0].grid->value[0] = -1;
+  const auto svg = to_svg(figure);
+  CHECK(count(svg, "class=\"bp-d0\"") > 0);
+  CHECK(count(svg, "class=\"bp-q") == 0);
+  figure.panels[0].value->scale = Scale::logarithmic;
+  CHECK(count(to_svg(figure), "class=\"bp-d") == 0);
+}
+
+TEST_CASE("figures without usable data are drawn all the same") {
+  for (auto figure : {plot_tests::lines_figure(), plot_tests::polar_figure(), plot_tests::heatmap_figure()}) {
+    for (auto& panel : figure.panels) {
+      for (auto& series : panel.series) series.y.assign(series.y.size(), std::nan(""));
+      if (panel.grid) panel.grid = Grid{};
+      panel.y.scale = Scale::logarithmic;
+    }
+    CHECK(fault_of(to_svg(figure)) == "");
+    for (auto& panel : figure.panels) panel.series.clear();
+    CHECK(fault_of(to_svg(figure)) == "");
+  }
+}
