@@ -2,10 +2,18 @@
 /// The list of terms that a BRDF may be a sum of. A new one is one file in terms/ and one line here.
 #pragma once
 
+#include "brdf/terms/disney_diffuse.hpp"
+#include "brdf/terms/disney_sheen.hpp"
+#include "brdf/terms/eon.hpp"
 #include "brdf/terms/facet_diffuse.hpp"
+#include "brdf/terms/fresnel_lambert.hpp"
+#include "brdf/terms/hammon_diffuse.hpp"
 #include "brdf/terms/lambert.hpp"
 #include "brdf/terms/mirror.hpp"
 #include "brdf/terms/oren_nayar.hpp"
+#include "brdf/terms/shirley.hpp"
+#include "brdf/terms/uncharted2.hpp"
+#include "brdf/terms/velvet_cloth.hpp"
 
 #include <variant>
 
@@ -14,9 +22,18 @@ namespace brdfplot {
 template <TermModel... T>
 using TermList = std::variant<T...>;
 
-using BrdfTerm = TermList<Mirror,        //
-                          FacetDiffuse,  //
-                          OrenNayarFits, //
-                          Lambert>;
+using BrdfTerm = TermList<Mirror,         //
+                          FacetDiffuse,   //
+                          OrenNayarFits,  //
+                          FujiiOrenNayar, //
+                          Eon,            //
+                          Lambert,        //
+                          FresnelLambert, //
+                          Shirley,        //
+                          DisneyDiffuse,  //
+                          HammonDiffuse,  //
+                          DisneySheen,    //
+                          VelvetCloth,    //
+                          Uncharted2>;
 
 } // namespace brdfplot

@@ -52,3 +52,16 @@ TEST_CASE("terms: a figure draws the sum and its terms, and sets a parameter of 
     "x": {"variable": "alpha", "from": 0.1, "to": 0.2}, "panels": [{"series": [{"quantity": "albedo"}]}]})");
   check_error(folder, "brdfplot plot g.json -o .", 2, {"g.json: /x: unknown variable \"alpha\"", "coat.alpha"});
 }
+
+TEST_CASE("terms: cloth is made of terms without a microsurface") {
+  const Folder folder;
+  folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n");
+  const auto sum = cells(check_output(
+      folder, "brdfplot eval configs/materials/cloth.json -q brdf,velvet.brdf,sheen.brdf -i in.csv"));
+  REQUIRE(sum[1].size() == 11);
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(std::stod(sum[1][2 + c]) == doctest::Approx(std::stod(sum[1][5 + c]) + std::stod(sum[1][8 + c])));
+  check_error(folder, "brdfplot eval configs/materials/cloth.json -q velvet.d -i in.csv", 2,
+              {"none of its terms has a microsurface"});
+  CHECK(check_output(folder, "brdfplot list terms").find("velvet_cloth") != std::string::npos);
+}

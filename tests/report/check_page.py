@@ -26,7 +26,7 @@ import time
 from pathlib import Path
 
 DEADLINE = 120  # seconds for a page to load
-SETTLE = 1.0  # seconds after loading, for timers and lazy loading
+SETTLE = 2.0  # seconds after all have loaded, for timers and lazy loading
 OWN_SCHEMES = ("data:", "blob:", "about:")
 SUMMARY = "[document.querySelectorAll('svg').length, [...document.querySelectorAll('link')].map(link => link.href)]"
 
@@ -118,9 +118,9 @@ class Browser:
                 return answer["result"]
             self.events.append(answer)
 
-    def wait_for(self, method: str) -> None:
+    def wait_for(self, method: str, session: str) -> None:
         end = time.monotonic() + DEADLINE
-        while not any(event.get("method") == method for event in self.events):
+        while not any(event.get("method") == method and event.get("sessionId") == session for event in self.events):
             message = self.read(end - time.monotonic())
             if message is None:
                 sys.exit(f"No {method} within {DEADLINE} s")
@@ -169,35 +169,48 @@ def fault_of(event: dict, page_url: str) -> str | None:
     return None
 
 
-def check(browser: Browser, page: Path) -> list[str]:
-    """Everything that is wrong with the page."""
-    page = page.resolve()
-    if not page.is_file():
-        return ["no such file"]
-    url = page.as_uri()
-    proxy = CountingProxy()
-    context = browser.call(
-        "Target.createBrowserContext", proxyServer=f"127.0.0.1:{proxy.port}", proxyBypassList="<-loopback>"
-    )["browserContextId"]
-    target = browser.call("Target.createTarget", url="about:blank", browserContextId=context)["targetId"]
-    session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-    for domain in ("Runtime", "Log", "Network", "Page"):
-        browser.call(f"{domain}.enable", session)
-    browser.events.clear()
-    browser.call("Page.navigate", session, url=url)
-    browser.wait_for("Page.loadEventFired")
-    browser.collect(SETTLE)
-    drawn, links = browser.call("Runtime.evaluate", session, expression=SUMMARY, returnByValue=True)["result"]["value"]
-    browser.call("Target.disposeBrowserContext", browserContextId=context)
-    proxy.close()
+class Visit:
+    """A page that is open, in a context of its own."""
 
-    faults = [fault for event in browser.events if (fault := fault_of(event, url))]
-    faults += [f"network: {line}" for line in proxy.asked]
-    faults += [f"<link> to {href}" for href in links if not href.startswith(OWN_SCHEMES)]
-    expected = max(1, len(list(page.parent.glob("figures/*.svg"))))
-    if drawn < expected:
-        faults.append(f"{drawn} <svg> elements, expected at least {expected}")
-    return list(dict.fromkeys(faults))
+    def __init__(self, browser: Browser, page: Path) -> None:
+        self.browser = browser
+        self.page = page.resolve()
+        self.url = self.page.as_uri()
+        self.proxy = CountingProxy()
+        self.context = browser.call(
+            "Target.createBrowserContext", proxyServer=f"127.0.0.1:{self.proxy.port}", proxyBypassList="<-loopback>"
+        )["browserContextId"]
+        target = browser.call("Target.createTarget", url="about:blank", browserContextId=self.context)["targetId"]
+        self.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Runtime", "Log", "Network", "Page"):
+            browser.call(f"{domain}.enable", self.session)
+        # Of about:blank.
+        browser.events = [event for event in browser.events if event.get("sessionId") != self.session]
+        browser.call("Page.navigate", self.session, url=self.url)
+
+    def faults(self) -> list[str]:
+        """Everything that was wrong with the page until now. Closes it."""
+        summary = self.browser.call("Runtime.evaluate", self.session, expression=SUMMARY, returnByValue=True)
+        drawn, links = summary["result"]["value"]
+        self.browser.call("Target.disposeBrowserContext", browserContextId=self.context)
+        self.proxy.close()
+        own = [event for event in self.browser.events if event.get("sessionId") == self.session]
+        faults = [fault for event in own if (fault := fault_of(event, self.url))]
+        faults += [f"network: {line}" for line in self.proxy.asked]
+        faults += [f"<link> to {href}" for href in links if not href.startswith(OWN_SCHEMES)]
+        expected = max(1, len(list(self.page.parent.glob("figures/*.svg"))))
+        if drawn < expected:
+            faults.append(f"{drawn} <svg> elements, expected at least {expected}")
+        return list(dict.fromkeys(faults))
+
+
+def check(browser: Browser, pages: list[Path]) -> list[list[str]]:
+    """Everything that is wrong with each page. All are open at once, so that they settle together."""
+    visits = [Visit(browser, page) if page.is_file() else None for page in pages]
+    for visit in filter(None, visits):
+        browser.wait_for("Page.loadEventFired", visit.session)
+    browser.collect(SETTLE)
+    return [visit.faults() if visit else ["no such file"] for visit in visits]
 
 
 def self_test() -> None:
@@ -228,21 +241,25 @@ def self_test() -> None:
         "SVG that fetches": "<svg><image href='https://example.invalid/i.png' width='9' height='9'/></svg>",
         "no figure": "<p>nothing</p>",
     }
+    texts = {**{f"good {i}": body for i, body in enumerate(good)}, **bad, "one of two figures": svg}
     wrong = []
     with Browser() as browser, tempfile.TemporaryDirectory() as folder:
-        page = Path(folder, "page ü.html")
-        for name, body in [*((f"good {i}", b) for i, b in enumerate(good)), *bad.items()]:
-            page.write_text(f"<!doctype html><meta charset=utf-8><title>t</title><body>{body}", encoding="utf-8")
-            faults = check(browser, page)
+        pages = []
+        for i, (name, body) in enumerate(texts.items()):
+            pages.append(Path(folder, str(i), "page ü.html"))
+            pages[-1].parent.mkdir()
+            text = f"<!doctype html><meta charset=utf-8><title>t</title><body>{body}"
+            pages[-1].write_text(text, encoding="utf-8")
+        figures = pages[-1].parent / "figures"
+        figures.mkdir()
+        for figure in ("a.svg", "b.svg"):
+            (figures / figure).write_text(svg, encoding="utf-8")
+        for name, faults in zip(texts, check(browser, pages)):
             print(f"{name}: {faults}")
-            if bool(faults) != (name in bad):
+            if bool(faults) == name.startswith("good"):
                 wrong.append(name)
-        Path(folder, "figures").mkdir()
-        for name in ("a", "b"):
-            Path(folder, "figures", f"{name}.svg").write_text(svg, encoding="utf-8")
-        page.write_text(f"<!doctype html><meta charset=utf-8><title>t</title>{svg}", encoding="utf-8")
-        if not check(browser, page):
-            wrong.append("one of two figures")
+        if check(browser, [Path(folder, "gone.html")]) != [["no such file"]]:
+            wrong.append("no such file")
     if wrong:
         sys.exit(f"self-test: wrong about {', '.join(wrong)}")
 
@@ -252,7 +269,8 @@ if __name__ == "__main__":
         self_test()
     elif len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
         with Browser() as chromium:
-            found = [f"{page}: {fault}" for page in sys.argv[1:] for fault in check(chromium, Path(page))]
+            faults = check(chromium, [Path(page) for page in sys.argv[1:]])
+        found = [f"{page}: {fault}" for page, of_page in zip(sys.argv[1:], faults) for fault in of_page]
         for fault in found:
             print(fault)
         sys.exit(bool(found))
