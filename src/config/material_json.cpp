@@ -68,9 +68,8 @@ ShapePtr term_shape() {
     if (term.has_surface)
       for (Field& field : microsurface_fields()) fields.push_back(std::move(field));
     if (term.has_fresnel) fields.push_back(fresnel_field());
-    for (const ParameterSpec& item : spec.parameters)
-      fields.push_back({item.key, parameter(item), !item.fallback, item.doc});
-    types.emplace_back(spec.type, object(std::move(fields)));
+    for (Field& field : parameter_fields(spec)) fields.push_back(std::move(field));
+    types.emplace_back(spec.type, object_with_alternatives(std::move(fields), spec.alternatives));
   }
   return tagged(std::move(types));
 }

@@ -309,15 +309,21 @@ ShapePtr parameter(const ParameterSpec& spec) {
   return choice(spec.choices);
 }
 
+std::vector<Field> parameter_fields(const ModelSpec& spec) {
+  std::vector<Field> fields;
+  for (const ParameterSpec& item : spec.parameters) {
+    const bool alternative = std::ranges::any_of(
+        spec.alternatives, [&](const auto& group) { return std::ranges::find(group, item.key) != group.end(); });
+    fields.push_back({item.key, parameter(item), !item.fallback && !alternative, item.doc});
+  }
+  return fields;
+}
+
 ShapePtr model(const std::vector<ModelSpec>& specs) {
   std::vector<std::pair<std::string, ShapePtr>> types;
   for (const auto& spec : specs) {
     std::vector<Field> fields = {{"type", text(), true, spec.doc + " (" + spec.source + ")"}};
-    for (const auto& item : spec.parameters) {
-      const bool alternative = std::ranges::any_of(
-          spec.alternatives, [&](const auto& group) { return std::ranges::find(group, item.key) != group.end(); });
-      fields.push_back({item.key, parameter(item), !item.fallback && !alternative, item.doc});
-    }
+    for (Field& field : parameter_fields(spec)) fields.push_back(std::move(field));
     types.emplace_back(spec.type, object_with_alternatives(std::move(fields), spec.alternatives));
   }
   return tagged(std::move(types));

@@ -79,6 +79,8 @@ ShapePtr named(std::string name, std::function<ShapePtr()> make);
 
 /// The shape of one parameter of a model.
 ShapePtr parameter(const ParameterSpec& spec);
+/// Those of a model; one of alternatives is not required by itself.
+std::vector<Field> parameter_fields(const ModelSpec& spec);
 /// The shape of a model's parameters beside its `type`.
 ShapePtr model(const std::vector<ModelSpec>& specs);
 

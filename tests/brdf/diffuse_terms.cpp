@@ -179,14 +179,15 @@ TEST_CASE("diffuse terms: the printed equations with 50 digits, at every angle a
     for (const auto& [o, i] : pairs()) {
       const Real exact = one.rho(cosines(o, i));
       const double value = test::value(m, Quantity::brdf, o, i);
-      // A term that all but vanishes is compared with what the others of its kind are.
-      const double scale = std::fmax(std::fabs(static_cast<double>(exact)), 1e-3);
+      // What all but vanishes is compared with what it is elsewhere. Where o and i are opposite at grazing, 1 + r s
+      // does; the rounding of the directions determines it to 1e-16.
+      const bool of_s = one.type == "eon" || one.type == "fujii_oren_nayar";
+      const double scale = std::fmax(std::fabs(static_cast<double>(exact)), of_s ? 1e-2 : 1e-3);
       const double error = std::fabs(static_cast<double>(Real(value) - exact)) / scale;
       worst = std::fmax(worst, std::isnan(value) ? value : error);
       REQUIRE(!std::isnan(value));
     }
     CAPTURE(one.type);
-    MESSAGE(one.type << " " << worst);
     CHECK(worst <= bound);
   }
 }
@@ -260,17 +261,21 @@ TEST_CASE("diffuse terms: the albedo of velvet agrees with a plain sum over the 
     for (const double theta : {0.0, 0.8, 1.5}) {
       const Material m = build(describe_term("velvet_cloth", {{"alpha", alpha}, {"amplitude", 100.0}, {"f0", 0.3}}));
       const Direction o = from_angles(theta, 0);
-      // Midpoints in c^2 / 2 and phi.
+      // Midpoints, closer to each other towards the horizon.
       constexpr int n = 1500;
       double sum = 0;
-      for (int a = 0; a < n; ++a)
+      for (int a = 0; a < n; ++a) {
+        const double t = 1 - (a + 0.5) / n, elevation = 0.5 * std::numbers::pi * t * t * t;
+        const double c = std::sin(elevation), s = std::cos(elevation);
+        const double weight = 1.5 * std::numbers::pi * t * t / n * s * 2 * std::numbers::pi / n;
         for (int b = 0; b < n; ++b) {
-          const double c = std::sqrt((a + 0.5) / n), phi = std::numbers::pi * (b + 0.5) / n, s = std::sqrt(1 - c * c);
-          sum += value(m, Quantity::brdf, o, {s * std::cos(phi), s * std::sin(phi), c});
+          const double phi = std::numbers::pi * (b + 0.5) / n;
+          sum += weight * value(m, Quantity::brdf_cos, o, {s * std::cos(phi), s * std::sin(phi), c});
         }
+      }
       const Estimate e = compute(Integral::albedo, m, o, 1e-7);
       CAPTURE(alpha);
       CAPTURE(theta);
-      CHECK(e.value == doctest::Approx(sum * std::numbers::pi / n / n).epsilon(1e-4));
+      CHECK(e.value == doctest::Approx(sum).epsilon(1e-5));
     }
 }

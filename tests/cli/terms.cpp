@@ -56,8 +56,8 @@ TEST_CASE("terms: a figure draws the sum and its terms, and sets a parameter of 
 TEST_CASE("terms: cloth is made of terms without a microsurface") {
   const Folder folder;
   folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n");
-  const auto sum = cells(check_output(
-      folder, "brdfplot eval configs/materials/cloth.json -q brdf,velvet.brdf,sheen.brdf -i in.csv"));
+  const auto sum = cells(
+      check_output(folder, "brdfplot eval configs/materials/cloth.json -q brdf,velvet.brdf,sheen.brdf -i in.csv"));
   REQUIRE(sum[1].size() == 11);
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(std::stod(sum[1][2 + c]) == doctest::Approx(std::stod(sum[1][5 + c]) + std::stod(sum[1][8 + c])));

@@ -1,5 +1,7 @@
 #include "brdf/terms/eon.hpp"
 
+#include "brdf/surface_block.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -21,10 +23,12 @@ std::vector<ParameterSpec> rough_parameters() {
 
 double scale(double roughness) { return 1 / (1 + k1 * roughness); }
 
-/// rho of albedo 1, reflected once.
-double once(const PairCosines& pair, double roughness) {
-  const double t = pair.tangential > 0 ? std::max(pair.l, pair.v) : 1;
-  return inv_pi * scale(roughness) * (1 + roughness * pair.tangential / t);
+/// rho of albedo 1, reflected once. At grazing s is divided by what is small: it must be right where the azimuths are
+/// at right angles, and its terms cancel.
+double once(const Direction& o, const Direction& i, double roughness) {
+  const double s = careful_dot({o.x, o.y, 0}, {i.x, i.y, 0});
+  const double t = s > 0 ? std::max(o.z, i.z) : 1;
+  return inv_pi * scale(roughness) * (1 + roughness * s / t);
 }
 
 /// k1 pi - G(mu), G as in the source, with arccos as pi/2 - arcsin and every difference that cancels as a product.
@@ -51,8 +55,7 @@ FujiiOrenNayar FujiiOrenNayar::from(const TermDescription& description) {
 }
 
 void FujiiOrenNayar::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-  evaluate_channels(block, channels(), out,
-                    [&](std::size_t c, const PairCosines& pair) { return albedo.value[c] * once(pair, roughness); });
+  evaluate_flat(block, albedo, out, [&](const Direction& o, const Direction& i) { return once(o, i, roughness); });
 }
 
 ModelSpec Eon::spec() {
@@ -79,10 +82,9 @@ void Eon::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out
   for (std::size_t k = 0; k < block.n; ++k) {
     const Direction o = block.o[k], i = block.i[k];
     const bool lit = o.z > 0 && i.z > 0;
-    const PairCosines pair(o, i);
     const double factor = block.times_cosine ? i.z : 1;
-    const double single = lit ? once(pair, roughness) * factor : 0;
-    const double both = lit ? lost(pair.v) * lost(pair.l) * factor : 0;
+    const double single = lit ? once(o, i, roughness) * factor : 0;
+    const double both = lit ? lost(o.z) * lost(i.z) * factor : 0;
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels()); ++c)
       out.rho[c][k] = albedo.value[c] * single + multiple[c] * both;
   }

@@ -43,7 +43,7 @@ inline double one_less_fifth(double m, double l) { return l * (1 + m * (1 + m * 
 /// What the BRDFs of a flat surface are functions of: cosines of a pair of directions above it, each to a few roundings
 /// at every angle. o + i and o - i are exact to a rounding where a dot product would cancel.
 struct PairCosines {
-  PairCosines(const Direction& o, const Direction& i) : v(o.z), l(i.z), tangential(o.x * i.x + o.y * i.y) {
+  PairCosines(const Direction& o, const Direction& i) : v(o.z), l(i.z) {
     const Direction sum = o + i, difference = o + -1.0 * i;
     lh = 0.5 * std::sqrt(dot(sum, sum));
     one_less_lh = dot(difference, difference) / (4 * (1 + lh));
@@ -51,9 +51,8 @@ struct PairCosines {
     sin2_h = (sum.x * sum.x + sum.y * sum.y) / (4 * lh * lh);
   }
 
-  double v, l;       ///< n.v and n.l
-  double tangential; ///< l.v - (n.l)(n.v)
-  double lh;         ///< l.h = v.h
+  double v, l; ///< n.v and n.l
+  double lh;   ///< l.h = v.h
   double one_less_lh;
   double nh;     ///< n.h
   double sin2_h; ///< 1 - (n.h)^2

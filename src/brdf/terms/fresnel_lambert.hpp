@@ -16,7 +16,7 @@ struct FresnelLambert {
   static ModelSpec spec() {
     return {.type = "fresnel_lambert",
             .doc = "albedo / pi times 1 - F at the normal or at the half vector",
-            .source = "Shirley 1991; Akenine-Moller et al. 2018, Eqs. 9.62, 9.63",
+            .source = "Akenine-Moller et al. 2018, Eqs. 9.62, 9.63",
             .parameters = {Colour::parameter("albedo", "of each channel"),
                            f0_parameter(),
                            {.key = "at",
