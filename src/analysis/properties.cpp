@@ -160,11 +160,11 @@ std::vector<PropertyFamily> families(const PropertyTableDescription& table) {
       member.distribution = distribution;
       member.masking.type = masking;
       if (!takes_alpha(distribution)) {
-        family.members.push_back(member);
+        family.members.emplace_back(member);
       } else {
         for (const double alpha : table.alpha) {
           member.distribution.values.set("alpha", alpha);
-          family.members.push_back(member);
+          family.members.emplace_back(member);
         }
       }
       all.push_back(std::move(family));

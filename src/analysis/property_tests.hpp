@@ -31,7 +31,10 @@ private:
 struct PropertySubject {
   explicit PropertySubject(const MaterialDescription& from);
   PropertySubject(const PropertySubject&) = delete;
+  PropertySubject(PropertySubject&&) = delete;
   PropertySubject& operator=(const PropertySubject&) = delete;
+  PropertySubject& operator=(PropertySubject&&) = delete;
+  ~PropertySubject() = default;
 
   MaterialDescription description;
   Material material;

@@ -15,9 +15,9 @@ namespace brdfplot::plot {
 std::string quantity_part(const std::string& name);
 std::string term_part(const std::string& name);
 
-/// Whether a quantity is a function of a variable: those of omega_m are nothing to the BRDF, whose facets are
-/// those of the half vector, and an integral knows omega_o alone.
-bool depends_on(const std::string& quantity, const std::string& variable);
+/// Whether the quantity of this name is a function of a variable: those of omega_m are nothing to the BRDF, whose
+/// facets are those of the half vector, and an integral knows omega_o alone.
+bool depends_on(const std::string& name, const std::string& variable);
 
 /// A term at given values of the swept variables.
 class TermFunction {
