@@ -206,6 +206,15 @@ TEST_CASE("diffuse terms: nothing at and below the horizon") {
   }
 }
 
+TEST_CASE("diffuse terms: opposite directions at grazing, whose sum is too short to be squared") {
+  const Material m =
+      build(describe_term("velvet_cloth", {{"albedo", 0.5}, {"f0", 0.5}, {"alpha", 1.0}, {"amplitude", 100.0}}));
+  for (const double e : {1e-150, 1e-160, 1e-165, 1e-170, 1e-250}) {
+    // h does not depend on e: (0, 1, 2), normalised. mpmath, 400 digits.
+    CHECK(value(m, Quantity::brdf_cos, {1, e, e}, {-1, 0, e}) == doctest::Approx(0.018432465608075196).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("diffuse terms: albedos that are known") {
   for (const double theta : {0.0, 0.6, 1.2, 1.5, 1.5706}) {
     const Direction o = from_angles(theta, 0.4);
@@ -262,7 +271,7 @@ TEST_CASE("diffuse terms: the albedo of velvet agrees with a plain sum over the 
       const Material m = build(describe_term("velvet_cloth", {{"alpha", alpha}, {"amplitude", 100.0}, {"f0", 0.3}}));
       const Direction o = from_angles(theta, 0);
       // Midpoints, closer to each other towards the horizon.
-      constexpr int n = 1500;
+      constexpr int n = 600;
       double sum = 0;
       for (int a = 0; a < n; ++a) {
         const double t = 1 - (a + 0.5) / n, elevation = 0.5 * std::numbers::pi * t * t * t;

@@ -45,10 +45,16 @@ inline double one_less_fifth(double m, double l) { return l * (1 + m * (1 + m * 
 struct PairCosines {
   PairCosines(const Direction& o, const Direction& i) : v(o.z), l(i.z) {
     const Direction sum = o + i, difference = o + -1.0 * i;
-    lh = 0.5 * std::sqrt(dot(sum, sum));
+    // Of opposite directions at grazing the sum may be so short that its square is 0.
+    const double size = std::fmax(std::fmax(std::fabs(sum.x), std::fabs(sum.y)), sum.z);
+    const Direction scaled = {sum.x / size, sum.y / size, sum.z / size};
+    const double across2 = scaled.x * scaled.x + scaled.y * scaled.y;
+    const double length2 = across2 + scaled.z * scaled.z;
+    const double length = std::sqrt(length2);
+    lh = 0.5 * length * size;
     one_less_lh = dot(difference, difference) / (4 * (1 + lh));
-    nh = sum.z / (2 * lh);
-    sin2_h = (sum.x * sum.x + sum.y * sum.y) / (4 * lh * lh);
+    nh = scaled.z / length;
+    sin2_h = across2 / length2;
   }
 
   double v, l; ///< n.v and n.l
