@@ -70,7 +70,7 @@ concept TermModel = requires(const T& term, const PairBlock& pairs, SurfaceBlock
   // rho (1/sr) of each pair, for each channel; 0 where a direction is at or below the horizon.
   // `work` has the same directions, and what other quantities of the term have left there.
   { term.evaluate(pairs, work, out) } -> std::same_as<void>;
-  // The same with F = 1, or an albedo of 1: what the furnace tests.
+  // The same with F = 1, or with an albedo of 1, where F0 is part of a diffuse term and stays: what the furnace tests.
   { term.white() } -> std::same_as<T>;
 };
 
