@@ -261,6 +261,9 @@ TEST_CASE("diffuse terms: check finds those that reflect more than they get") {
   const auto hammon = describe_term("hammon_diffuse", {{"alpha", 1.0}, {"f0", 0.0}});
   CHECK(furnace_at_89(hammon) == doctest::Approx(1.15).epsilon(0.01));
   CHECK(verdict_of(Property::energy, hammon) == Verdict::fails);
+  const auto nayar = describe_term("oren_nayar", {{"sigma", 0.25}});
+  CHECK(furnace_at_89(nayar) == doctest::Approx(1.043).epsilon(0.001));
+  CHECK(verdict_of(Property::energy, nayar) == Verdict::fails);
   CHECK(verdict_of(Property::energy, describe_term("eon", {{"roughness", 1.0}})) == Verdict::holds);
   CHECK(verdict_of(Property::energy, describe_term("fujii_oren_nayar", {{"roughness", 1.0}})) == Verdict::holds);
 }
