@@ -57,7 +57,9 @@ std::string check_record(const std::vector<CheckRecord>& checked, double toleran
   for (const auto& record : checked) {
     Json row = property_row(record.row);
     if (!record.file.empty()) row["file"] = record.file;
-    for (const auto& claim : record.claims) row["claims"][claim] = word(record.row.verdict(claim));
+    Json claims = Json::object();
+    for (const auto& claim : record.claims) claims[claim] = word(record.row.verdict(claim));
+    if (!claims.empty()) row["claims"] = std::move(claims);
     rows.push_back(std::move(row));
   }
   return Json{{"tolerance", tolerance}, {"rows", rows}}.dump(2) + "\n";

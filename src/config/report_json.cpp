@@ -222,7 +222,9 @@ std::string report_record(const ReportFile& report, const std::string& version, 
   Json list = Json::array();
   for (const auto& entry : entries) {
     Json one = {{"id", entry.id}, {"kind", entry.kind}, {"files", entry.files}, {"seconds", entry.seconds}};
-    for (const auto& row : entry.rows) one["rows"].push_back(property_row(row));
+    Json rows = Json::array();
+    for (const auto& row : entry.rows) rows.push_back(property_row(row));
+    if (!rows.empty()) one["rows"] = std::move(rows);
     list.push_back(std::move(one));
   }
   return Json{{"report", report.id},

@@ -78,7 +78,9 @@ public:
     }
     Json out = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
     if (!required.empty()) out["required"] = required;
-    for (const auto& group : alternatives_) out["oneOf"].push_back(alternative_schema(group));
+    Json groups = Json::array();
+    for (const auto& group : alternatives_) groups.push_back(alternative_schema(group));
+    if (!groups.empty()) out["oneOf"] = std::move(groups);
     return out;
   }
   bool matches(const Json& value) const override { return value.is_object(); }

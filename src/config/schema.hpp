@@ -14,6 +14,8 @@
 
 namespace brdfplot::config {
 
+/// An array or object of it starts as Json::array() or Json::object(): a null that is made one by `[]` or `push_back`
+/// is left without its value when there is no memory for it, and its destructor then crashes (nlohmann-json 3.11.2).
 using Json = nlohmann::ordered_json;
 
 /// A value that does not fit, at a JSON pointer.

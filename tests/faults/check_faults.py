@@ -149,9 +149,10 @@ def wrong_with(code, err, kept, cached, old, whole, whole_cache, kind):
 def sample(count, most, rng):
     if most is None or count <= most:
         return list(range(1, count + 1))
-    # One in each of `most` equal parts, and the first ones and last ones, where programs start and end.
+    # One in each of `most` equal parts, the first ones, where programs start, and the last ones, where records are made
+    # and files written.
     inner = {1 + (k * count + rng.randrange(count)) // most for k in range(most)}
-    return sorted(n for n in inner | set(range(1, 9)) | set(range(count - 7, count + 1)) if 1 <= n <= count)
+    return sorted(n for n in inner | set(range(1, 9)) | set(range(count - 299, count + 1)) if 1 <= n <= count)
 
 
 def check_faults(runner, command, most, pool, rng):
