@@ -52,9 +52,15 @@ Estimate compute(Integral integral, const Material& material, const Direction& o
 Estimate compute_in_plane(Integral integral, const Material& material, const Direction& omega_o,
                           double tolerance = default_tolerance, int channel = 0, const std::string& term = "");
 
-/// compute(), or AccuracyError when the error estimate is above the tolerance.
+/// compute() of every channel that the integral has: an albedo as one integral of all.
+ColourEstimate compute_channels(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
+                                const std::string& term = "");
+
+/// compute() and compute_channels(), or AccuracyError when the error estimate is above the tolerance.
 double compute_or_throw(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
                         int channel = 0, const std::string& term = "");
+Rgb compute_channels_or_throw(Integral integral, const Material& material, const Direction& omega_o, double tolerance,
+                              const std::string& term = "");
 
 /// \throws InputError when the material has no such integral: compute()'s reasons.
 void require(const Material& material, const IntegralInfo& info, const std::string& term = "");

@@ -71,9 +71,11 @@ void test_energy(const PropertySubject& subject, const PropertySearch& search, W
   const double tolerance = (is_closed_form(subject.material) ? 0.01 : 0.1) * search.tolerance;
   const bool one = subject.material.terms.size() == 1;
   at_viewers(subject, search, [&](const Direction& o, double theta, double phi) {
-    for (int channel = 0; channel < (one ? 1 : subject.material.channels()); ++channel) {
-      const Estimate e = compute(one ? Integral::furnace : Integral::albedo, subject.material, o, tolerance, channel);
-      worst.take(std::isnan(e.value) ? e.value : std::fmax(0, e.value - 1), e.error, theta, phi);
+    const Integral integral = one ? Integral::furnace : Integral::albedo;
+    const ColourEstimate all = compute_channels(integral, subject.material, o, tolerance);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(one ? 1 : subject.material.channels()); ++c) {
+      const double value = all.value[c];
+      worst.take(std::isnan(value) ? value : std::fmax(0, value - 1), all.error[c], theta, phi);
     }
   });
 }
@@ -227,9 +229,12 @@ PropertySubject::PropertySubject(const MaterialDescription& from) : description(
     if (own == nullptr) continue;
     ++surfaces;
     surface = own;
-    formula = formula || std::holds_alternative<CustomMasking>(own->masking);
-    const SlopeMap& map = own->slopes();
-    round = round && map.alpha_x == map.alpha_y && map.correlation == 0 && map.centred();
+    formula = formula || std::visit(
+                             [](const auto& m) {
+                               return requires { m.is_formula; };
+                             },
+                             own->masking);
+    round = round && is_isotropic(own->distribution);
   }
   if (surfaces > 1) surface = nullptr;
   // Without a Lambda, G1 depends on the azimuth between viewer and normal, but the integrals do not on the viewer's.

@@ -58,8 +58,9 @@ inline ChannelRows rows_from(double* out, std::size_t first, std::size_t n, int 
 /// What a term has to give. Beyond it, by `requires`:
 ///   surface                  its microsurface, if it is derived from one
 ///   fresnel                  its Fresnel term, if it has one
-///   about_half_vector        rho is narrow where the half vector is near the mean normal, and integrals over the light
-///                            follow it; else rho is smooth on the scale of the hemisphere
+///   about_half_vector        rho has D(h) as a factor, and integrals over the light follow it: facets() is the
+///                            distribution, kinks(omega_o, channels) where the rest is not smooth; else rho is smooth
+///                            on the scale of the hemisphere
 ///   brdf(o, i, tolerance)    rho of albedo 1 with an error, where it is a quadrature; else rho is a closed form
 template <class T>
 concept TermModel = requires(const T& term, const PairBlock& pairs, SurfaceBlock& work, const ChannelRows& out,

@@ -1,9 +1,12 @@
 #include "integrate/hemisphere.hpp"
 
+#include "math/cubature.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace brdfplot {
@@ -34,44 +37,41 @@ struct Basis {
 
 } // namespace
 
-Estimate integrate_hemisphere(const SlopeMap& map, bool symmetric, const PairFunction& rho, const Direction& omega_o,
-                              double tolerance, const std::function<double(const Direction& omega_i)>& weight) {
+ColourEstimate integrate_hemisphere(const SlopeMap& map, const HemisphereIntegrand& f, const Direction& omega_o,
+                                    double tolerance, const std::function<double(const Direction& omega_i)>& weight) {
   const Basis basis(map, omega_o);
-  const std::array<double, 5> turn = {-pi, -0.5 * pi, 0, 0.5 * pi, pi};
-  const auto phi_cuts = std::span(turn).subspan(symmetric ? 2 : 0);
-  const double copies = symmetric ? 2 : 1;
   // Values are of order 1 / pi over an area of 2 pi: errors of rho c_i add up to less than 2 pi times the largest.
   const Tolerance of_rho{.absolute = 0.01 * tolerance, .relative = std::max(1e-11, 0.02 * tolerance)};
-  std::size_t evaluations = 0;
-  double worst_rho = 0;
-  double worst_ring = 0;
-  const auto ring = [&](double theta) {
-    const auto along_phi = [&](const double* phi, double* y, std::size_t n) {
-      for (std::size_t k = 0; k < n; ++k) {
-        const Direction i = basis.direction(theta, phi[k]);
-        const double c_i = std::max(0.0, map.project(i).c);
-        const double scale = c_i * weight(i) * std::sin(theta);
-        const Estimate here = rho(i, of_rho);
-        y[k] = here.value * scale;
-        worst_rho = std::max(worst_rho, here.error * std::fabs(scale));
-        evaluations += here.evaluations;
-      }
-    };
-    return integrate(along_phi, phi_cuts, {.absolute = 0.1 * tolerance / copies});
-  };
-  const auto along_theta = [&](const double* theta, double* y, std::size_t n) {
+  const double copies = f.symmetric ? 2 : 1;
+  double worst = 0;
+  std::vector<Direction> lights;
+  std::vector<double> errors, values;
+  const PlaneFunction integrand = [&](std::size_t, const double* theta, const double* phi, double* out, std::size_t n) {
+    lights.resize(n);
+    for (std::size_t k = 0; k < n; ++k) lights[k] = basis.direction(theta[k], phi[k]);
+    values.assign(f.channels * n, 0);
+    errors.assign(f.channels * n, 0);
+    f.rho(lights, of_rho, values, errors);
     for (std::size_t k = 0; k < n; ++k) {
-      const Estimate estimate = ring(theta[k]);
-      y[k] = estimate.value;
-      worst_ring = std::max(worst_ring, estimate.error);
+      const Direction& i = lights[k];
+      const double scale = copies * std::max(0.0, map.project(i).c) * weight(i) * std::sin(theta[k]);
+      for (std::size_t c = 0; c < f.channels; ++c) {
+        out[c * n + k] = values[c * n + k] * scale;
+        worst = std::max(worst, errors[c * n + k] * std::fabs(scale));
+      }
     }
   };
-  std::vector<double> theta_cuts = {0, 0.5 * pi};
-  if (basis.theta_o > 1e-8) theta_cuts.insert(theta_cuts.begin() + 1, basis.theta_o);
-  Estimate estimate = integrate(along_theta, theta_cuts, {.absolute = 0.5 * tolerance / copies});
-  estimate.value *= copies;
-  estimate.error = copies * (estimate.error + 0.5 * pi * worst_ring) + pi * pi * worst_rho;
-  estimate.evaluations = evaluations;
+  std::vector<double> thetas = {0, 0.5 * pi};
+  if (basis.theta_o > 1e-8) thetas.insert(thetas.begin() + 1, basis.theta_o);
+  const std::array<double, 5> turn = {-pi, -0.5 * pi, 0, 0.5 * pi, pi};
+  const auto phis = std::span(turn).subspan(f.symmetric ? 2 : 0);
+  std::vector<Rectangle> rectangles;
+  for (std::size_t t = 0; t + 1 < thetas.size(); ++t)
+    for (std::size_t p = 0; p + 1 < phis.size(); ++p)
+      rectangles.push_back({thetas[t], thetas[t + 1], phis[p], phis[p + 1]});
+  ColourEstimate estimate = integrate_plane(integrand, f.channels, rectangles, {.absolute = 0.5 * tolerance});
+  const double area = 0.5 * pi * (phis.back() - phis.front());
+  for (std::size_t c = 0; c < f.channels; ++c) estimate.error[c] += area * worst;
   return estimate;
 }
 

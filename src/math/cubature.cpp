@@ -5,6 +5,9 @@
 #include "math/gauss_kronrod.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
 #include <vector>
 
 namespace brdfplot {
@@ -16,12 +19,16 @@ constexpr std::size_t ny = 15;
 /// For error_of(): what falls slowly shows in the sums over many lines sooner than in one.
 constexpr double credit = 100;
 
+using Channels = std::array<double, 3>;
+
+double largest(const Channels& of) { return std::max({of[0], of[1], of[2]}); }
+
 struct Cell {
   Rectangle where;
-  double value = 0;
-  double error = 0;
+  Channels value{};
+  Channels error{};
   bool across_x = false; ///< which variable has the larger error
-  bool operator<(const Cell& other) const { return error < other.error; }
+  bool operator<(const Cell& other) const { return largest(error) < largest(other.error); }
 };
 
 /// What one of the rules says of its lines, added with the weights of the other rule. The signs of differences and
@@ -44,7 +51,8 @@ private:
 
 class Cubature {
 public:
-  explicit Cubature(const PlaneFunction& f) : f_(f), x_(nx * ny), y_(nx * ny), values_(nx * ny) {}
+  Cubature(const PlaneFunction& f, std::size_t channels)
+      : f_(f), channels_(channels), x_(nx * ny), y_(nx * ny), values_(channels * nx * ny) {}
 
   Cell apply(const Rectangle& r) {
     const auto& rx = GaussKronrod<nx>::rule();
@@ -57,14 +65,22 @@ public:
       }
     f_(r.chart, x_.data(), y_.data(), values_.data(), nx * ny);
     evaluations += nx * ny;
-    Lines<nx> rows;
-    Lines<ny> columns;
-    for (std::size_t j = 0; j < ny; ++j) rows.add(&values_[j * nx], 1, ry.kronrod[j]);
-    for (std::size_t i = 0; i < nx; ++i) columns.add(&values_[i], nx, rx.kronrod[i]);
-    const double in_x = rows.error();
-    const double in_y = columns.error();
+    Cell cell{r};
+    double worst_x = 0, worst_y = 0;
     const double area = std::fabs(half_x * half_y);
-    return {r, area * rows.value(), area * (in_x + in_y), in_x >= in_y};
+    for (std::size_t c = 0; c < channels_; ++c) {
+      const double* values = &values_[c * nx * ny];
+      Lines<nx> rows;
+      Lines<ny> columns;
+      for (std::size_t j = 0; j < ny; ++j) rows.add(values + j * nx, 1, ry.kronrod[j]);
+      for (std::size_t i = 0; i < nx; ++i) columns.add(values + i, nx, rx.kronrod[i]);
+      cell.value[c] = area * rows.value();
+      cell.error[c] = area * (rows.error() + columns.error());
+      worst_x = std::max(worst_x, rows.error());
+      worst_y = std::max(worst_y, columns.error());
+    }
+    cell.across_x = worst_x >= worst_y;
+    return cell;
   }
 
   using Pair = std::array<Cell, 2>;
@@ -79,17 +95,24 @@ public:
   }
 
   Pair divide(const Cell& whole) {
-    const auto error = [](const Pair& pair) { return pair[0].error + pair[1].error; };
     const Pair halves = cut(whole, 0.5);
-    if (error(halves) > 1e-4 * std::fabs(halves[0].value + halves[1].value - whole.value)) return halves;
+    const auto believed = [&](std::size_t c) {
+      return error(halves, c) >= 1e-4 * std::fabs(halves[0].value[c] + halves[1].value[c] - whole.value[c]);
+    };
+    const auto all = std::views::iota(std::size_t{0}, channels_);
+    if (std::ranges::all_of(all, believed)) return halves;
     const Pair others = cut(whole, 0.45);
-    return error(others) > error(halves) ? others : halves;
+    const auto worse = [&](std::size_t c) { return error(others, c) > error(halves, c); };
+    return std::ranges::any_of(all, worse) ? others : halves;
   }
 
   std::size_t evaluations = 0;
 
 private:
+  static double error(const Pair& pair, std::size_t c) { return pair[0].error[c] + pair[1].error[c]; }
+
   const PlaneFunction& f_;
+  std::size_t channels_;
   std::vector<double> x_, y_, values_;
 };
 
@@ -102,21 +125,26 @@ bool too_small(const Rectangle& r) {
 
 Estimate integrate_plane(const PlaneFunction& f, std::span<const Rectangle> rectangles, const Tolerance& tolerance,
                          std::size_t max_evaluations) {
+  return integrate_plane(f, 1, rectangles, tolerance, max_evaluations).channel(0);
+}
+
+ColourEstimate integrate_plane(const PlaneFunction& f, std::size_t channels, std::span<const Rectangle> rectangles,
+                               const Tolerance& tolerance, std::size_t max_evaluations) {
   throw_if_interrupted();
-  Cubature cubature(f);
+  Cubature cubature(f, channels);
   std::vector<Cell> heap; // the largest error on top
   const auto add = [&](const Cell& cell) {
     heap.push_back(cell);
     std::push_heap(heap.begin(), heap.end());
   };
-  Estimate estimate;
+  ColourEstimate estimate;
   const auto sum = [&] {
-    estimate.value = estimate.error = 0;
-    for (const Cell& cell : heap) {
-      estimate.value += cell.value;
-      estimate.error += cell.error;
-    }
-    return estimate.error <= std::max(tolerance.absolute, tolerance.relative * std::fabs(estimate.value));
+    estimate = {};
+    for (const Cell& cell : heap) estimate.add({cell.value, cell.error});
+    const auto met = [&](std::size_t c) {
+      return estimate.error[c] <= std::max(tolerance.absolute, tolerance.relative * std::fabs(estimate.value[c]));
+    };
+    return std::ranges::all_of(std::views::iota(std::size_t{0}, channels), met);
   };
   for (const Rectangle& r : rectangles)
     if (r.x0 < r.x1 && r.y0 < r.y1) add(cubature.apply(r));

@@ -24,4 +24,9 @@ using PlaneFunction =
 Estimate integrate_plane(const PlaneFunction& f, std::span<const Rectangle> rectangles, const Tolerance& tolerance,
                          std::size_t max_evaluations = 400000);
 
+/// The same of `channels` functions at once, at most three: f writes channel c of point k to f[c n + k]. A rectangle
+/// is divided where any of them asks for it, and all meet the tolerance.
+ColourEstimate integrate_plane(const PlaneFunction& f, std::size_t channels, std::span<const Rectangle> rectangles,
+                               const Tolerance& tolerance, std::size_t max_evaluations = 400000);
+
 } // namespace brdfplot

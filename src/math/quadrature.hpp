@@ -2,6 +2,7 @@
 /// Adaptive quadrature that returns what it knows about its own error.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -13,6 +14,28 @@ struct Estimate {
   double value = 0;
   double error = 0;
   std::size_t evaluations = 0;
+
+  void add(const Estimate& other) {
+    value += other.value;
+    error += other.error;
+    evaluations += other.evaluations;
+  }
+};
+
+/// Up to three integrals that were taken together: those of the channels of a colour.
+struct ColourEstimate {
+  std::array<double, 3> value{};
+  std::array<double, 3> error{};
+  std::size_t evaluations = 0;
+
+  Estimate channel(std::size_t c) const { return {value[c], error[c], evaluations}; }
+  void add(const ColourEstimate& other, const std::array<double, 3>& weight = {1, 1, 1}) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      value[c] += weight[c] * other.value[c];
+      error[c] += weight[c] * other.error[c];
+    }
+    evaluations += other.evaluations;
+  }
 };
 
 struct Tolerance {

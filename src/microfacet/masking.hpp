@@ -6,7 +6,10 @@
 /// finite at grazing, where Lambda is not. Only `custom` is asked with more, since a formula may use it.
 ///
 /// What is not smooth in the direction declares where, so that integrals can be cut there: `kink(projection)`, or
-/// `kink(projection, o_dot_m, z_m)` where it depends on the normal, changes its sign.
+/// `kink(projection, o_dot_m, z_m)` where it depends on the normal, changes its sign. And where these hold:
+///   kink_is_line     G1 depends on the normal by o.m / z_m alone, and the kink is where that is 2 c: the line u_1 = -a
+///   is_of_several_a  Lambda is no function of a = c / s alone
+///   is_formula       it may depend on anything, and has no symmetry
 #pragma once
 
 #include "microfacet/masking/custom.hpp"

@@ -81,23 +81,20 @@ std::exception_ptr StreamEvaluator::read(FieldScanner& scanner, const std::strin
 
 std::exception_ptr StreamEvaluator::integrate_rows(const StreamQuantity& quantity, Result& result) {
   const Columns o = columns_of(Letter::o);
+  Rgb values{};
   for (std::size_t r = 0; r < n_; ++r) {
     const bool as_before = r > 0 && o.x[r] == o.x[r - 1] && o.y[r] == o.y[r - 1] && o.z[r] == o.z[r - 1];
-    for (std::size_t k = 0; k < result.channels; ++k) {
-      double& value = result.values[k * result.stride + r];
-      if (as_before) {
-        value = (&value)[-1];
-        continue;
-      }
+    if (!as_before) {
       throw_if_interrupted();
       try {
-        value = compute_or_throw(quantity.integral()->integral, plan_.material, {o.x[r], o.y[r], o.z[r]},
-                                 plan_.options.tolerance, static_cast<int>(k), quantity.term);
+        values = compute_channels_or_throw(quantity.integral()->integral, plan_.material, {o.x[r], o.y[r], o.z[r]},
+                                           plan_.options.tolerance, quantity.term);
       } catch (const AccuracyError& error) {
         n_ = r;
         return std::make_exception_ptr(AccuracyError(where(lines_[r]), error.what()));
       }
     }
+    for (std::size_t k = 0; k < result.channels; ++k) result.values[k * result.stride + r] = values[k];
   }
   return nullptr;
 }

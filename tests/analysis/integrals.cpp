@@ -207,6 +207,29 @@ TEST_CASE("an albedo with a Fresnel term is coloured, and between the extremes o
   CHECK(blue < compute(Integral::albedo, m, o, 1e-9, 1).value);
 }
 
+TEST_CASE("the albedos of all channels are one integral, each within its error of its own") {
+  TermDescription glass = describe("ggx", 0.2);
+  glass.fresnel.type = "dielectric";
+  glass.fresnel.values.set("eta", Rgb{0.66, 0.7, 1.5}); // of two critical angles
+  MaterialDescription description;
+  description.listed = true;
+  TermDescription base;
+  base.type = "lambert";
+  description.terms = {glass, base};
+  description.terms[1].values.set("albedo", 0.2);
+  description.terms[1].weight = Rgb{0, 0.5, 1};
+  const Material m = build(description);
+  for (const double theta : {0.0, 0.6, 1.3, 1.55}) {
+    const Direction o = from_angles(theta, 0.2);
+    const ColourEstimate all = compute_channels(Integral::albedo, m, o, 1e-9);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Estimate one = compute(Integral::albedo, m, o, 1e-9, static_cast<int>(c));
+      CHECK(all.error[c] <= 1e-9);
+      CHECK(std::fabs(all.value[c] - one.value) <= all.error[c] + one.error);
+    }
+  }
+}
+
 TEST_CASE("the mean and the peak of reflected light are those of the channel") {
   auto description = describe("ggx", 0.6);
   description.fresnel.type = "schlick";

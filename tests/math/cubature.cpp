@@ -30,6 +30,27 @@ TEST_CASE("smooth functions of the plane cost one rule a rectangle") {
   CHECK(e.error < 1e-12);
 }
 
+TEST_CASE("several functions at once: each meets the tolerance, and the hardest pays") {
+  const auto peak = [](double width, double x, double y) { return width / (width * width + x * x + y * y); };
+  const std::array<double, 3> widths = {1, 0.05, 0};
+  const PlaneFunction f = [&](std::size_t, const double* x, const double* y, double* out, std::size_t n) {
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t k = 0; k < n; ++k) out[c * n + k] = peak(widths[c], x[k], y[k]);
+  };
+  const std::vector<Rectangle> square = {{-1, 1, -1, 1}};
+  const ColourEstimate all = integrate_plane(f, 3, square, {.absolute = 1e-10});
+  std::array<std::size_t, 3> alone{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto one = integral([&](std::size_t, double x, double y) { return peak(widths[c], x, y); }, square, 1e-12);
+    CHECK(all.error[c] <= 1e-10);
+    CHECK(std::fabs(all.value[c] - one.value) <= all.error[c] + one.error);
+    alone[c] =
+        integral([&](std::size_t, double x, double y) { return peak(widths[c], x, y); }, square, 1e-10).evaluations;
+  }
+  CHECK(static_cast<double>(all.evaluations) < 1.2 * static_cast<double>(alone[1])); // not the sum
+  CHECK(all.value[2] == 0);
+}
+
 TEST_CASE("rectangles of several charts are summed, empty ones are free") {
   const auto f = [](std::size_t chart, double x, double) { return chart == 1 ? 2 * x : 1; };
   const auto e = integral(f, {{0, 3, 0, 2, 0}, {0, 1, 0, 1, 1}, {1, 1, 0, 1, 0}}, 1e-10);

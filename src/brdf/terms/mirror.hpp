@@ -2,6 +2,7 @@
 /// Facets that are mirrors.
 #pragma once
 
+#include "brdf/kinks.hpp"
 #include "brdf/term.hpp"
 
 namespace brdfplot {
@@ -20,6 +21,10 @@ struct Mirror {
   }
   static Mirror from(const TermDescription& description);
 
+  const Distribution& facets() const { return surface.distribution; }
+  HalfVectorKinks kinks(const Direction& omega_o, const ChannelRange& of) const {
+    return brdfplot::kinks(surface, fresnel, omega_o, of);
+  }
   int channels() const;
   void evaluate(const PairBlock& pairs, SurfaceBlock& work, const ChannelRows& out) const;
   Mirror white() const { return {surface, NoFresnel{}}; }

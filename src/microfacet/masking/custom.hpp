@@ -14,6 +14,7 @@ namespace brdfplot {
 struct CustomMasking {
   std::optional<Formula> lambda, g1; ///< one of them
   bool has_lambda = false;           ///< which
+  static constexpr bool is_formula = true;
 
   static ModelSpec spec();
   static CustomMasking from(const Values& values);

@@ -39,6 +39,7 @@ struct SchlickSmithRational {
   }
   static SchlickSmithRational from(const Values&) { return {}; }
   static constexpr bool has_lambda = true;
+  static constexpr bool is_of_several_a = true;
 
   /// v is the cosine after the vertical shear that levels the mesosurface, c / n with n^2 = x^2 + y^2 + c^2. Then
   /// c Lambda = k (n - c) with k = s / (sqrt(pi) h), h^2 = x^2 + y^2, and n - c = h^2 / (n + c).

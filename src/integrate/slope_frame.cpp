@@ -1,0 +1,87 @@
+#include "integrate/slope_frame.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace brdfplot {
+
+namespace {
+
+/// Smallest positive root of k2 x^2 + k1 x + k0 with k0 > 0, without cancellation; infinity when there is none.
+double first_root(double k2, double k1, double k0) {
+  const double discriminant = k1 * k1 - 4 * k2 * k0;
+  if (discriminant < 0) return infinity;
+  const double q = -0.5 * (k1 + std::copysign(std::sqrt(discriminant), k1));
+  double best = infinity;
+  if (q != 0 && k0 / q > 0) best = k0 / q;
+  if (k2 != 0 && q / k2 > 0) best = std::min(best, q / k2);
+  return best;
+}
+
+} // namespace
+
+SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o)
+    : projection_(map.project(omega_o)), determinant_(map.determinant()), mean_{map.mean_x, map.mean_y} {
+  // Q^-1 is factored by hand where its Cholesky factor is known exactly: (1 - r^2) must not cancel.
+  Eigen::Matrix2d factor;
+  factor << map.alpha_x, 0, map.correlation * map.alpha_y, map.decorrelation() * map.alpha_y;
+  Eigen::Vector2d along = factor.transpose() * Eigen::Vector2d(omega_o.x, omega_o.y);
+  if (along.norm() > 0)
+    along.normalize();
+  else
+    along = Eigen::Vector2d::UnitX();
+  Eigen::Matrix2d turn;
+  turn << along.x(), -along.y(), along.y(), along.x();
+  const Eigen::Matrix2d m = factor * turn;
+  const Eigen::Vector2d mean(map.mean_x, map.mean_y);
+  const Eigen::Vector2d b = m.transpose() * mean;
+  b_ = {b.x(), b.y()};
+  m_ = {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
+  big_b_ = 1 + mean.squaredNorm();
+  plane_ = std::atan2(m(0, 0) * omega_o.y - m(1, 0) * omega_o.x, m(1, 1) * omega_o.x - m(0, 1) * omega_o.y);
+  symmetric_ = map.alpha_x == map.alpha_y && map.correlation == 0 && map.centred();
+}
+
+Direction SlopeFrame::normal(double u1, double u2) const {
+  const double x = mean_[0] + m_[0] * u1 + m_[1] * u2;
+  const double y = mean_[1] + m_[2] * u1 + m_[3] * u2;
+  // Slopes beyond 1e150 would overflow when squared; their normals are horizontal.
+  const double n2 = 1 + x * x + y * y;
+  const double z = n2 < infinity ? 1 / std::sqrt(n2) : 1 / std::hypot(1.0, x, y);
+  return {-x * z, -y * z, z};
+}
+
+void SlopeFrame::normals_along(const double* u1, double* x, double* y, double* z, std::size_t n) const {
+  // Without a branch and with nothing that might be written meanwhile, so that the compiler takes several at a time.
+  const auto [mean_x, mean_y] = mean_;
+  const double along_x = m_[0];
+  const double along_y = m_[2];
+  for (std::size_t k = 0; k < n; ++k) {
+    const double slope_x = mean_x + along_x * u1[k];
+    const double slope_y = mean_y + along_y * u1[k];
+    const double n2 = 1 + slope_x * slope_x + slope_y * slope_y;
+    z[k] = 1 / std::sqrt(n2);
+    x[k] = -slope_x * z[k];
+    y[k] = -slope_y * z[k];
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (z[k] == 0) { // a slope whose square overflows
+      const Direction m = normal(u1[k], 0);
+      x[k] = m.x;
+      y[k] = m.y;
+      z[k] = m.z;
+    }
+}
+
+double SlopeFrame::reach(double cos_psi, double sin_psi) const {
+  const double horizon = cos_psi > 0 ? a() / cos_psi : infinity;
+  const double b = b_[0] * cos_psi + b_[1] * sin_psi;
+  const double x = m_[0] * cos_psi + m_[1] * sin_psi;
+  const double y = m_[2] * cos_psi + m_[3] * sin_psi;
+  const double k2 = -2 * s() * cos_psi * b - c() * (x * x + y * y);
+  return std::min(horizon, first_root(k2, -2 * s() * big_b_ * cos_psi, c() * big_b_));
+}
+
+} // namespace brdfplot
