@@ -131,6 +131,9 @@ std::string describe_terms() {
   std::string out = "Terms of a BRDF (\"terms\" of a material), each with \"name\" and \"weight\"\n";
   for (const TermSpec& term : term_specs()) {
     out += describe(term.spec);
+    if (term.of_another) out += wrapped("", "Takes \"of\": the name of a term beside it, or a term.", text_column);
+    if (term.has_distribution && !term.has_surface)
+      out += wrapped("", "Takes \"distribution\", \"fresnel\".", text_column);
     if (term.has_surface)
       out += wrapped("",
                      std::string("Takes \"distribution\", \"masking\", \"shadowing\"") +

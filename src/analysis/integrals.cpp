@@ -55,9 +55,9 @@ Estimate projected_area(const Microsurface& surface, const Direction& o, double 
 }
 
 /// The smallest width of a component along any axis, in slopes.
-double narrowest_width(const Microsurface& surface) {
+double narrowest_width(const Distribution& distribution) {
   double width = infinity;
-  for (const Component& component : components(surface.distribution)) {
+  for (const Component& component : components(distribution)) {
     const SlopeMap& map = component.frame;
     width = std::min(width, std::min(map.alpha_x, map.alpha_y) * map.decorrelation());
   }
@@ -79,7 +79,7 @@ Estimate weak_furnace(const Microsurface& surface, const Direction& o, double to
   Estimate estimate = integrate_visible(surface, o, tolerance, integrand);
   // o + i has a length of 2 o.h ~ 2 c, and the half vector that many roundings, of which D sees the ratio to its width.
   estimate.error += 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) /
-                    (c * std::min(1.0, narrowest_width(surface)));
+                    (c * std::min(1.0, narrowest_width(surface.distribution)));
   return estimate;
 }
 
@@ -151,7 +151,7 @@ Estimate mean_theta_i(const std::vector<const WeightedTerm*>& terms, const Direc
 double narrowest_width(const Material& material) {
   double width = 1;
   for (const WeightedTerm& term : material.terms)
-    if (const Microsurface* surface = term.surface()) width = std::min(width, narrowest_width(*surface));
+    if (const Distribution* facets = term.facets()) width = std::min(width, narrowest_width(*facets));
   return width;
 }
 

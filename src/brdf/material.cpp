@@ -10,11 +10,13 @@ namespace {
 
 template <class T>
 TermSpec term_spec() {
-  return {T::spec(), requires(const T& t){t.surface;
+  TermSpec made{T::spec()};
+  made.has_surface = requires(const T& t) { t.surface; };
+  made.has_distribution = made.has_surface || requires(const T& t) { t.distribution; };
+  made.has_fresnel = requires(const T& t) { t.fresnel; };
+  made.of_another = requires { T::of_another; };
+  return made;
 }
-, requires(const T& t) { t.fresnel; }
-}; // namespace
-} // namespace brdfplot
 
 /// Calls f<T>() with the type of term that `type` names.
 template <class Function>
@@ -51,16 +53,18 @@ Colour weight_of(const TermDescription& description) {
   return {value, rgb != nullptr};
 }
 
-WeightedTerm build_term(const TermDescription& description) {
-  const TermSpec& spec = spec_of(description.type);
-  if (!spec.has_surface && !description.distribution.type.empty())
-    throw MaterialError("/distribution", "found one in a term \"" + description.type + "\", which has no microsurface");
-  if (!spec.has_fresnel && description.fresnel.type != "none")
-    throw MaterialError("/fresnel/type", "found \"" + description.fresnel.type + "\" in a term \"" + description.type +
-                                             "\"; accepted: none");
-  WeightedTerm made{name_of(description), weight_of(description), {}};
-  with_type(description.type, [&]<class T>() { made.term = T::from(description); });
-  return made;
+/// The description with the term that it names in the place of its name.
+TermDescription resolved(const TermDescription& description, const MaterialDescription& all) {
+  TermDescription out = description;
+  if (description.of_name.empty()) return out;
+  std::vector<std::string> names;
+  for (const TermDescription& other : all.terms) {
+    if (!spec_of(other.type).of_another && name_of(other) == description.of_name) out.of = {other};
+    if (!spec_of(other.type).of_another) names.push_back(name_of(other));
+  }
+  if (out.of.empty()) throw MaterialError("/of", unknown_name("term", description.of_name, names));
+  out.of_name.clear();
+  return out;
 }
 
 void require_one_mesosurface(const Material& material) {
@@ -132,6 +136,26 @@ const std::vector<TermSpec>& term_specs() {
   return all;
 }
 
+const TermDescription& another_of(const TermDescription& description) {
+  if (description.of.size() != 1) throw MaterialError("/of", "found none; accepted: a term");
+  if (spec_of(description.of[0].type).of_another)
+    throw MaterialError("/of/type",
+                        "found \"" + description.of[0].type + "\"; accepted: a term that is not itself of another");
+  return description.of[0];
+}
+
+WeightedTerm build_term(const TermDescription& description) {
+  const TermSpec& spec = spec_of(description.type);
+  if (!spec.has_distribution && !description.distribution.type.empty())
+    throw MaterialError("/distribution", "found one in a term \"" + description.type + "\", which has none");
+  if (!spec.has_fresnel && description.fresnel.type != "none")
+    throw MaterialError("/fresnel/type", "found \"" + description.fresnel.type + "\" in a term \"" + description.type +
+                                             "\"; accepted: none");
+  WeightedTerm made{name_of(description), weight_of(description), {}};
+  with_type(description.type, [&]<class T>() { made.term = T::from(description); });
+  return made;
+}
+
 int WeightedTerm::channels() const {
   return weight.is_rgb ? 3 : std::visit([](const auto& t) { return t.channels(); }, term);
 }
@@ -152,6 +176,17 @@ const Fresnel* WeightedTerm::fresnel() const {
       [](const auto& t) -> const Fresnel* {
         if constexpr (requires { t.fresnel; })
           return &t.fresnel;
+        else
+          return nullptr;
+      },
+      term);
+}
+
+const Distribution* WeightedTerm::facets() const {
+  return std::visit(
+      [](const auto& t) -> const Distribution* {
+        if constexpr (requires { t.facets(); })
+          return &t.facets();
         else
           return nullptr;
       },
@@ -206,7 +241,7 @@ std::string pointer_of_term(const MaterialDescription& description, std::size_t 
 std::size_t term_with_surface(const MaterialDescription& description) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < description.terms.size(); ++k)
-    if (!description.terms[k].distribution.type.empty()) found.push_back(k);
+    if (spec_of(description.terms[k].type).has_surface) found.push_back(k);
   if (found.size() == 1) return found[0];
   throw MaterialError(description.listed ? "/terms" : "",
                       found.empty() ? "found no term with a microsurface; accepted: one"
@@ -218,7 +253,7 @@ Material build(const MaterialDescription& description) {
   for (std::size_t k = 0; k < description.terms.size(); ++k) {
     const std::string place = pointer_of_term(description, k);
     try {
-      material.terms.push_back(build_term(description.terms[k]));
+      material.terms.push_back(build_term(resolved(description.terms[k], description)));
     } catch (const MaterialError& error) {
       throw MaterialError(place + error.pointer(), error.reason());
     }
@@ -235,12 +270,13 @@ Material build(const TermDescription& term) { return build(MaterialDescription(t
 
 void set_parameter(TermDescription& description, const std::string& key, double value) {
   const TermSpec& spec = spec_of(description.type);
-  if (spec.has_surface && set_in(specs_of<Distribution>(), description.distribution, key, value)) return;
+  if (spec.has_distribution && set_in(specs_of<Distribution>(), description.distribution, key, value)) return;
   if (spec.has_surface && set_in(specs_of<Masking>(), description.masking, key, value)) return;
   if (spec.has_surface && description.shadowing && set_in(specs_of<Shadowing>(), *description.shadowing, key, value))
     return;
   if (spec.has_fresnel && set_in(specs_of<Fresnel>(), description.fresnel, key, value)) return;
   if (set_own(description, key, value)) return;
+  if (key.starts_with("of.") && !description.of.empty()) return set_parameter(description.of[0], key.substr(3), value);
   throw MaterialError("/distribution", "no model of this material has a parameter \"" + key + "\"");
 }
 
@@ -253,20 +289,27 @@ void set_parameter(MaterialDescription& description, const std::string& key, dou
   throw MaterialError("/terms", unknown_name("parameter", key, parameter_keys(description)));
 }
 
+namespace {
+
+void append_keys(const TermDescription& term, const std::string& prefix, std::vector<std::string>& names) {
+  const TermSpec& spec = spec_of(term.type);
+  if (spec.has_distribution) append_numbers(specs_of<Distribution>(), term.distribution.type, prefix, names);
+  if (spec.has_surface) {
+    append_numbers(specs_of<Masking>(), term.masking.type, prefix, names);
+    if (term.shadowing) append_numbers(specs_of<Shadowing>(), term.shadowing->type, prefix, names);
+  }
+  if (spec.has_fresnel) append_numbers(specs_of<Fresnel>(), term.fresnel.type, prefix, names);
+  append_numbers({spec.spec}, term.type, prefix, names);
+  names.push_back(prefix + "weight");
+  for (const TermDescription& other : term.of) append_keys(other, prefix + "of.", names);
+}
+
+} // namespace
+
 std::vector<std::string> parameter_keys(const MaterialDescription& description) {
   std::vector<std::string> names;
-  for (const TermDescription& term : description.terms) {
-    const std::string prefix = description.listed ? name_of(term) + "." : "";
-    const TermSpec& spec = spec_of(term.type);
-    if (spec.has_surface) {
-      append_numbers(specs_of<Distribution>(), term.distribution.type, prefix, names);
-      append_numbers(specs_of<Masking>(), term.masking.type, prefix, names);
-      if (term.shadowing) append_numbers(specs_of<Shadowing>(), term.shadowing->type, prefix, names);
-    }
-    if (spec.has_fresnel) append_numbers(specs_of<Fresnel>(), term.fresnel.type, prefix, names);
-    append_numbers({spec.spec}, term.type, prefix, names);
-    names.push_back(prefix + "weight");
-  }
+  for (const TermDescription& term : description.terms)
+    append_keys(term, description.listed ? name_of(term) + "." : "", names);
   return names;
 }
 

@@ -33,7 +33,12 @@ struct WeightedTerm {
   /// The microsurface that it is derived from; null: none.
   const Microsurface* surface() const;
   const Fresnel* fresnel() const;
+  /// The distribution that its half vectors follow; null: none.
+  const Distribution* facets() const;
 };
+
+/// \throws MaterialError
+WeightedTerm build_term(const TermDescription& description);
 
 /// A material that can be evaluated (see evaluate.hpp). Its terms lie on one mesosurface.
 struct Material {
@@ -56,8 +61,10 @@ std::vector<const WeightedTerm*> terms_of(const Material& material, const std::s
 /// What a list of terms knows of one of its types before one is made.
 struct TermSpec {
   ModelSpec spec;
-  bool has_surface = false; ///< takes distribution, masking and shadowing
+  bool has_distribution = false;
+  bool has_surface = false; ///< masking and shadowing beside the distribution
   bool has_fresnel = false;
+  bool of_another = false; ///< takes a term, or the name of one beside it, as "of"
 };
 
 /// Of every type of term, in the order of the list.

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace brdfplot {
 
@@ -30,8 +31,13 @@ struct TermDescription : MicrosurfaceDescription {
   std::string type = "mirror"; ///< one of the list in terms.hpp
   Value weight = 1.0;          ///< a number, or one a channel
   ModelChoice fresnel{.type = "none"};
-  Values values{}; ///< what the type has beside models: albedo, sigma, ...
+  Values values{};                   ///< what the type has beside models: albedo, sigma, ...
+  std::string of_name{};             ///< of a term that is of another: the name of one beside it,
+  std::vector<TermDescription> of{}; ///< or it itself, one
 };
+
+/// The description of the other term. \throws MaterialError where there is none
+const TermDescription& another_of(const TermDescription& description);
 
 /// Rows of unit vectors above the mesosurface or not, at most block_size of them, and which factor goes with rho.
 struct PairBlock {
@@ -57,6 +63,8 @@ inline ChannelRows rows_from(double* out, std::size_t first, std::size_t n, int 
 
 /// What a term has to give. Beyond it, by `requires`:
 ///   surface                  its microsurface, if it is derived from one
+///   distribution             its distribution of normals alone, if that is what it has
+///   of_another               it is made of the albedo of another term
 ///   fresnel                  its Fresnel term, if it has one
 ///   about_half_vector        rho has D(h) as a factor, and integrals over the light follow it: facets() is the
 ///                            distribution, kinks(omega_o, channels) where the rest is not smooth; else rho is smooth

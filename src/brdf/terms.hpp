@@ -2,14 +2,17 @@
 /// The list of terms that a BRDF may be a sum of. A new one is one file in terms/ and one line here.
 #pragma once
 
+#include "brdf/terms/complement.hpp"
 #include "brdf/terms/disney_diffuse.hpp"
 #include "brdf/terms/disney_sheen.hpp"
 #include "brdf/terms/eon.hpp"
 #include "brdf/terms/facet_diffuse.hpp"
 #include "brdf/terms/fresnel_lambert.hpp"
 #include "brdf/terms/hammon_diffuse.hpp"
+#include "brdf/terms/kelemen.hpp"
 #include "brdf/terms/lambert.hpp"
 #include "brdf/terms/mirror.hpp"
+#include "brdf/terms/multiple_bounce.hpp"
 #include "brdf/terms/oren_nayar.hpp"
 #include "brdf/terms/shirley.hpp"
 #include "brdf/terms/uncharted2.hpp"
@@ -23,6 +26,9 @@ template <TermModel... T>
 using TermList = std::variant<T...>;
 
 using BrdfTerm = TermList<Mirror,         //
+                          Kelemen2001,    //
+                          Complement,     //
+                          MultipleBounce, //
                           FacetDiffuse,   //
                           OrenNayarFits,  //
                           FujiiOrenNayar, //

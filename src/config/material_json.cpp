@@ -32,9 +32,13 @@ std::vector<std::string> facet_names() {
   return names;
 }
 
+Field distribution_field() {
+  return {"distribution", named("distribution", [] { return model(specs_of<Distribution>()); }), true,
+          "distribution of normals"};
+}
+
 std::vector<Field> microsurface_fields() {
-  return {{"distribution", named("distribution", [] { return model(specs_of<Distribution>()); }), true,
-           "distribution of normals"},
+  return {distribution_field(),
           {"masking", named("masking", [] { return model(specs_of<Masking>()); }), false,
            "masking function G1; default smith"},
           {"shadowing", named("shadowing", [] { return model(specs_of<Shadowing>()); }), false,
@@ -54,6 +58,8 @@ Field claims_field() {
 
 Field name_field() { return {"name", text(), false, "what figures and errors call it; default: the name of the file"}; }
 
+Field another_field();
+
 ShapePtr term_shape() {
   std::vector<std::pair<std::string, ShapePtr>> types;
   constexpr double most = 1e6;
@@ -67,11 +73,18 @@ ShapePtr term_shape() {
                                   "what it is multiplied by, or one factor a channel; default 1"}};
     if (term.has_surface)
       for (Field& field : microsurface_fields()) fields.push_back(std::move(field));
+    else if (term.has_distribution)
+      fields.push_back(distribution_field());
+    if (term.of_another) fields.push_back(another_field());
     if (term.has_fresnel) fields.push_back(fresnel_field());
     for (Field& field : parameter_fields(spec)) fields.push_back(std::move(field));
     types.emplace_back(spec.type, object_with_alternatives(std::move(fields), spec.alternatives));
   }
   return tagged(std::move(types));
+}
+
+Field another_field() {
+  return {"of", either({text(), named("term", term_shape)}), true, "the name of a term beside it, or a term"};
 }
 
 /// A material of one term, as it is written without a list.
@@ -109,6 +122,8 @@ TermDescription read_term(const Json& value) {
     term.weight = weight.is_number() ? Value(weight.get<double>()) : Value(weight.get<Rgb>());
   }
   if (value.contains("distribution")) read_microsurface(value, term);
+  if (value.contains("of") && value["of"].is_string()) term.of_name = value["of"].get<std::string>();
+  if (value.contains("of") && value["of"].is_object()) term.of = {read_term(value["of"])};
   if (value.contains("fresnel")) term.fresnel = to_choice<Fresnel>(value["fresnel"]);
   const auto spec = std::ranges::find_if(term_specs(), [&](const TermSpec& s) { return s.spec.type == term.type; });
   for (const ParameterSpec& parameter : spec->spec.parameters)

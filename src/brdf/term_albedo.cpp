@@ -1,0 +1,95 @@
+#include "brdf/term_albedo.hpp"
+
+#include "base/number.hpp"
+#include "brdf/reflected_light.hpp"
+#include "microfacet/remembered.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace brdfplot {
+
+namespace {
+
+void require_isotropic(const WeightedTerm& term) {
+  const Microsurface* surface = term.surface();
+  const Distribution* facets = term.facets();
+  const bool same = surface != nullptr ? is_isotropic(*surface) : facets == nullptr || is_isotropic(*facets);
+  if (!same)
+    throw MaterialError("/of", "\"" + term.name +
+                                   "\" reflects each azimuth differently; accepted: a term that is "
+                                   "isotropic, centred, and without a masking formula");
+}
+
+AlbedoTable table_of(const WeightedTerm& term) {
+  constexpr double tolerance = 1e-8;
+  constexpr double largest_error = 1e-6;
+  require_isotropic(term);
+  const auto channels = static_cast<std::size_t>(term.channels());
+  const AlbedoTable table(
+      channels,
+      [&](double mu) {
+        const Direction o{std::sqrt((1 - mu) * (1 + mu)), 0, mu};
+        return reflected_light({&term}, o, 0.1 * tolerance, {0, channels}, every_direction);
+      },
+      tolerance);
+  const double angle = std::acos(table.mu_of_largest()) * 180 / std::numbers::pi;
+  const std::string name = "\"" + term.name + "\"";
+  if (!(table.error() <= largest_error))
+    throw AccuracyError("albedo of " + name, "reached an error of " + format_number(table.error()) +
+                                                 " in its table (asked: " + format_number(largest_error) + ")");
+  if (table.largest() > 1 + table.error())
+    throw MaterialError("/of", name + " has an albedo of " + format_number(table.largest()) + " at " +
+                                   format_number(angle) + "deg; accepted: a term that reflects no more than it gets");
+  return table;
+}
+
+std::string key_of(const ModelChoice& choice);
+
+/// A value as a text that no other has.
+std::string key_of(const Value& value) {
+  const auto joined = [](const auto& numbers) {
+    std::string text = "[";
+    for (const double number : numbers) text += format_number(number) + ",";
+    return text + "]";
+  };
+  if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
+  if (const auto* text = std::get_if<std::string>(&value)) return '"' + *text + '"';
+  if (const auto* pair = std::get_if<Vec2>(&value)) return joined(*pair);
+  if (const auto* rgb = std::get_if<Rgb>(&value)) return joined(*rgb);
+  std::string text;
+  for (const auto& part : std::get<WeightedChoices>(value)) text += format_number(part.weight) + key_of(part.model);
+  return text;
+}
+
+std::string key_of(const Values& values) {
+  std::string text = "{";
+  for (const auto& [key, value] : values.map()) text += key + ":" + key_of(value) + ";";
+  return text + "}";
+}
+
+std::string key_of(const ModelChoice& choice) { return choice.type + key_of(choice.values); }
+
+std::string key_of(const TermDescription& d) {
+  return d.type + key_of(d.weight) + key_of(d.distribution) + key_of(d.masking) +
+         (d.shadowing ? key_of(*d.shadowing) : "") + key_of(d.fresnel) + key_of(d.values);
+}
+
+using SharedTable = std::shared_ptr<const AlbedoTable>;
+
+} // namespace
+
+SharedTable tabulated_albedo(const TermDescription& description) {
+  return remembered<SharedTable>(key_of(description),
+                                 [&] { return std::make_shared<AlbedoTable>(table_of(build_term(description))); });
+}
+
+SharedTable tabulated_white_albedo(const TermDescription& description) {
+  return remembered<SharedTable>("white " + key_of(description), [&] {
+    const WeightedTerm term = build_term(description);
+    const BrdfTerm white = std::visit([](const auto& t) -> BrdfTerm { return t.white(); }, term.term);
+    return std::make_shared<AlbedoTable>(table_of({term.name, {}, white}));
+  });
+}
+
+} // namespace brdfplot

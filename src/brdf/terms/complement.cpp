@@ -1,0 +1,36 @@
+#include "brdf/terms/complement.hpp"
+
+#include "brdf/term_albedo.hpp"
+
+#include <numbers>
+
+namespace brdfplot {
+
+Complement Complement::from(const TermDescription& description) {
+  const Values values = completed_values<Complement>(description);
+  return {Colour::from(values, "color"), tabulated_albedo(another_of(description))};
+}
+
+void Complement::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
+  Rgb scale{};
+  for (std::size_t c = 0; c < scale.size(); ++c) {
+    const double left = of->mean_loss(of->channels() > 1 ? c : 0);
+    scale[c] = left > of->error() ? color.value[c] * std::numbers::inv_pi / left : 0;
+  }
+  evaluate_losses(*of, scale, block, channels(), out);
+}
+
+void evaluate_losses(const AlbedoTable& table, const Rgb& scale, const PairBlock& block, int channels,
+                     const ChannelRows& out) {
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const double v = block.o.z[k], l = block.i.z[k];
+    const bool lit = v > 0 && l > 0;
+    double losses = 0;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+      if (c < table.channels()) losses = lit ? table.loss(c, v) * table.loss(c, l) * (block.times_cosine ? l : 1) : 0;
+      out.rho[c][k] = scale[c] * losses;
+    }
+  }
+}
+
+} // namespace brdfplot

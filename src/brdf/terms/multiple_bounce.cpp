@@ -1,0 +1,49 @@
+#include "brdf/terms/multiple_bounce.hpp"
+
+#include "brdf/term_albedo.hpp"
+#include "brdf/terms/complement.hpp"
+#include "microfacet/mean_fresnel.hpp"
+
+#include <numbers>
+
+namespace brdfplot {
+
+ModelSpec MultipleBounce::spec() {
+  return {.type = "multiple_bounce",
+          .doc =
+              "what another term's microsurface reflects more than once: F_ms (1 - R_o)(1 - R_i) / (pi (1 - mean R))",
+          .source = "Kulla and Conty 2017; Akenine-Moller et al. 2018, Eqs. 9.56-9.58",
+          .parameters = {{.key = "mean_fresnel",
+                          .kind = ParameterKind::choice,
+                          .fallback = std::string("energy"),
+                          .doc = "energy: the square of the mean of F; printed: the mean, as Eq. 9.56 has it",
+                          .choices = {"energy", "printed"}}}};
+}
+
+MultipleBounce MultipleBounce::from(const TermDescription& description) {
+  const Values values = completed_values<MultipleBounce>(description);
+  const TermDescription& other = another_of(description);
+  const WeightedTerm term = build_term(other);
+  const Fresnel* fresnel = term.fresnel();
+  if (fresnel == nullptr)
+    throw MaterialError("/of/type",
+                        "found \"" + other.type + "\"; accepted: a term with a Fresnel term: mirror, kelemen");
+  MultipleBounce made{tabulated_white_albedo(other), {}, values.text("mean_fresnel") == "printed"};
+  made.mean_fresnel.is_rgb = std::visit([](const auto& f) { return f.coloured(); }, *fresnel);
+  for (std::size_t c = 0; c < 3; ++c)
+    made.mean_fresnel.value[c] = brdfplot::mean_fresnel(*fresnel, made.mean_fresnel.is_rgb ? c : 0).value;
+  return made;
+}
+
+void MultipleBounce::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
+  const double lost = of->mean_loss(0);
+  Rgb scale{};
+  for (std::size_t c = 0; c < scale.size(); ++c) {
+    const double f = mean_fresnel.value[c];
+    const double further = (printed ? f : f * f) * (1 - lost) / (1 - f * lost);
+    scale[c] = lost > of->error() ? further * std::numbers::inv_pi / lost : 0;
+  }
+  evaluate_losses(*of, scale, block, channels(), out);
+}
+
+} // namespace brdfplot
