@@ -178,6 +178,11 @@ Estimate compute_of_surface(Integral integral, const Microsurface& surface, cons
   }
 }
 
+/// Whether it is a place, which is as exact as it can be and has no tolerance.
+bool is_peak(Integral integral) {
+  return integral == Integral::peak_theta_i || integral == Integral::brdf_peak_theta_i;
+}
+
 /// \throws AccuracyError when the error estimate is above the tolerance.
 double checked(const Estimate& estimate, Integral integral, const Material& material, const Direction& omega_o,
                double tolerance) {
@@ -189,7 +194,7 @@ double checked(const Estimate& estimate, Integral integral, const Material& mate
   const double scale =
       integral == Integral::projected_area ? std::max(0.0, material.mesosurface().project(omega_o).c) : 1;
   // Written so that a NaN does not pass.
-  if (!(estimate.error <= tolerance * scale) && integral != Integral::peak_theta_i)
+  if (!(estimate.error <= tolerance * scale) && !is_peak(integral))
     throw AccuracyError(name, "reached an error estimate of " + format_number(estimate.error) +
                                   " (asked: " + format_number(tolerance * scale) + ")" + place);
   return estimate.value;
@@ -207,6 +212,8 @@ const std::vector<IntegralInfo>& integrals() {
       {Integral::weak_furnace_grid, "weak_furnace_grid", "Eq. 36 summed on the 0.05 rad grid of Appendix C", false},
       {Integral::mean_theta_i, "mean_theta_i", "polar angle of the mean reflected direction, rad", true},
       {Integral::peak_theta_i, "peak_theta_i", "angle of the largest rho cos theta_i in the plane of incidence, rad",
+       true},
+      {Integral::brdf_peak_theta_i, "brdf_peak_theta_i", "angle of the largest rho in the plane of incidence, rad",
        true},
   };
   return all;
@@ -240,7 +247,9 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
   case Integral::albedo:
     return reflected_light(terms_of(material, term), omega_o, tolerance, {c, 1}, every_direction).channel(0);
   case Integral::mean_theta_i: return mean_theta_i(terms_of(material, term), omega_o, tolerance, c);
-  default: return peak_theta_i(material, omega_o, narrowest_width(material), channel);
+  case Integral::brdf_peak_theta_i:
+    return peak_theta_i(material, Quantity::brdf, omega_o, narrowest_width(material), channel);
+  default: return peak_theta_i(material, Quantity::brdf_cos, omega_o, narrowest_width(material), channel);
   }
 }
 

@@ -24,6 +24,7 @@ enum class Integral {
   weak_furnace_grid, ///< Eq. 36 as Appendix C sums it: a grid of 0.05 rad
   mean_theta_i,      ///< polar angle of the mean direction of reflected light, signed in the plane of incidence
   peak_theta_i,      ///< where rho cos theta_i is largest in the plane of incidence, signed
+  brdf_peak_theta_i, ///< where rho is: beyond the mirror direction where there is an off-specular peak
 };
 
 struct IntegralInfo {

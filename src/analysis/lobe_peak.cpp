@@ -17,11 +17,12 @@ Direction azimuth(const Direction& o) {
 
 namespace {
 
-/// rho cos theta_i over theta_i in the plane of incidence.
+/// rho or rho cos theta_i over theta_i in the plane of incidence.
 class Lobe {
 public:
-  Lobe(const Material& material, const Direction& o, int channel)
-      : material_(material), o_(o), along_(azimuth(o)), channel_(static_cast<std::size_t>(channel)) {}
+  Lobe(const Material& material, Quantity quantity, const Direction& o, int channel)
+      : material_(material), quantity_(quantity), o_(o), along_(azimuth(o)),
+        channel_(static_cast<std::size_t>(channel)) {}
 
   double operator()(double theta) { return (*this)(std::vector<double>{theta}).front(); }
 
@@ -36,8 +37,8 @@ public:
     }
     const std::vector<double> o_x(n, o_.x), o_y(n, o_.y), o_z(n, o_.z);
     std::vector<double> all(static_cast<std::size_t>(material_.channels()) * n);
-    evaluate(material_, Quantity::brdf_cos,
-             {n, {o_x.data(), o_y.data(), o_z.data()}, {x.data(), y.data(), z.data()}, {}}, all.data());
+    evaluate(material_, quantity_, {n, {o_x.data(), o_y.data(), o_z.data()}, {x.data(), y.data(), z.data()}, {}},
+             all.data());
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(channel_ * n);
     return {first, first + static_cast<std::ptrdiff_t>(n)};
   }
@@ -52,6 +53,7 @@ public:
 
 private:
   const Material& material_;
+  Quantity quantity_;
   Direction o_, along_;
   std::size_t channel_;
 };
@@ -82,8 +84,8 @@ double stationary_point(Lobe& lobe, double theta, double h) {
 
 } // namespace
 
-Estimate peak_theta_i(const Material& material, const Direction& o, double width, int channel) {
-  Lobe lobe(material, o, channel);
+Estimate peak_theta_i(const Material& material, Quantity quantity, const Direction& o, double width, int channel) {
+  Lobe lobe(material, quantity, o, channel);
   const double mirror = -std::atan2(std::hypot(o.x, o.y), o.z);
   std::vector<double> scan;
   constexpr double quarter = 0.5 * std::numbers::pi;

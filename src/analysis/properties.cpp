@@ -55,7 +55,9 @@ std::string why_not_applicable(Property property, const std::vector<MaterialDesc
 
 /// The models of a term, for a row.
 std::string label_of(const TermDescription& term) {
-  return term.distribution.type.empty() ? describe({term.type, term.values}) : describe(term.distribution);
+  if (has_surface(term)) return describe(term.distribution);
+  const std::string own = describe({term.type, term.values});
+  return term.distribution.type.empty() ? own : own + " of " + describe(term.distribution);
 }
 
 } // namespace
@@ -140,7 +142,7 @@ std::vector<PropertyFamily> families_of(const MaterialDescription& material) {
   std::vector<PropertyFamily> all;
   for (const TermDescription& term : material.terms) {
     label += (label.empty() ? "" : " + ") + label_of(term);
-    if (term.distribution.type.empty()) continue;
+    if (!has_surface(term)) continue;
     MaterialDescription alone{material.name, {term}, false};
     alone.name += ", " + (term.name.empty() ? term.type : term.name);
     all.push_back({alone.name, label_of(term), {alone}});
@@ -175,7 +177,7 @@ std::vector<PropertyFamily> families(const PropertyTableDescription& table) {
 PropertyRow row_of(const PropertyFamily& family) {
   PropertyRow row{family.material, family.label, "", "", {}};
   for (const TermDescription& term : family.members.at(0).terms) {
-    if (term.distribution.type.empty()) continue;
+    if (!has_surface(term)) continue;
     row.distribution += (row.distribution.empty() ? "" : " + ") + term.distribution.type;
     row.masking += (row.masking.empty() ? "" : " + ") + term.masking.type;
   }

@@ -147,7 +147,7 @@ void test_g1_at_normal(const PropertySubject& subject, WorstResidual& worst) {
 /// divided.
 Microsurface stretched(const PropertySubject& subject, double x, double y) {
   const SlopeMap& map = subject.surface->slopes();
-  const auto with_surface = [](const TermDescription& t) { return !t.distribution.type.empty(); };
+  const auto with_surface = [](const TermDescription& t) { return has_surface(t); };
   TermDescription description = *std::ranges::find_if(subject.description.terms, with_surface);
   set_parameter(description, "alpha_x", map.alpha_x / x);
   set_parameter(description, "alpha_y", map.alpha_y / y);

@@ -238,10 +238,12 @@ std::string pointer_of_term(const MaterialDescription& description, std::size_t 
   return description.listed ? "/terms/" + std::to_string(index) : "";
 }
 
+bool has_surface(const TermDescription& description) { return spec_of(description.type).has_surface; }
+
 std::size_t term_with_surface(const MaterialDescription& description) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < description.terms.size(); ++k)
-    if (spec_of(description.terms[k].type).has_surface) found.push_back(k);
+    if (has_surface(description.terms[k])) found.push_back(k);
   if (found.size() == 1) return found[0];
   throw MaterialError(description.listed ? "/terms" : "",
                       found.empty() ? "found no term with a microsurface; accepted: one"

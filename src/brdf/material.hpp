@@ -78,6 +78,9 @@ Material build(const TermDescription& term);
 /// Where term `index` stands in the JSON of a material.
 std::string pointer_of_term(const MaterialDescription& description, std::size_t index);
 
+/// Whether the term is derived from a microsurface.
+bool has_surface(const TermDescription& description);
+
 /// The index of the only term that has a microsurface. \throws MaterialError when there is none or are several.
 std::size_t term_with_surface(const MaterialDescription& description);
 

@@ -2,6 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
 using namespace test;
 
 namespace {
@@ -66,6 +70,46 @@ TEST_CASE("the folder of a report") {
     for (const auto& file : entry.at("files")) CHECK(folder.has("out/" + file.get<std::string>()));
   CHECK(record["entries"][1].at("rows").size() == 4);
   CHECK(folder.read("out/index.html").find("They are small.") != std::string::npos);
+}
+
+TEST_CASE("the report on Kelemen and Szirmay-Kalos: what its captions say is what its data are") {
+  const Folder folder;
+  check_output(folder, "brdfplot report configs/reports/kelemen2001.json -o out --quiet");
+  const auto rows_of = [&](const std::string& figure) { return cells(folder.read("out/figures/" + figure + ".csv")); };
+  // Eq. 2: too dark, by half at most; nothing is lost by the coupled model; rho cos stays in the mirror direction.
+  double least = 1, most = 0;
+  for (const auto& row : rows_of("kelemen_geometric_term")) {
+    if (row[0] == "panel") continue;
+    least = std::min(least, std::stod(row[3]));
+    most = std::max(most, std::stod(row[3]));
+  }
+  CHECK(least == doctest::Approx(0.5).epsilon(1e-6));
+  CHECK(most <= 1 + 1e-12);
+  std::size_t totals = 0;
+  for (const auto& row : rows_of("kelemen_fig5_total"))
+    if (row[row.size() - 3] == "both") { // a panel's title has a comma
+      CHECK(std::fabs(std::stod(row.back()) - 1) < 1e-6);
+      ++totals;
+    }
+  CHECK(totals == 4); // a straight line has its ends
+  for (const auto& row : rows_of("kelemen_off_specular"))
+    if (row[0] == "ρ cos θ_i") CHECK(std::fabs(std::stod(row[3])) < 1e-8);
+  // The peaks of Fig. 2: the half vector is inclined by a < 0 where the derivative of ln f vanishes,
+  // -2 tan a / (m^2 cos^2 a) + 3 tan a - 2 tan(theta_o - a) = 0; the light is 2 a beyond the mirror direction.
+  const std::string caption = folder.read("configs/figures/kelemen_fig2_lobes.json");
+  for (const auto& [degrees, named] : {std::pair(22.5, "0.49°"), std::pair(45.0, "1.19°"), std::pair(67.5, "3.03°")}) {
+    const double theta = degrees * std::numbers::pi / 180, m = 0.1;
+    double low = -0.2, high = 0;
+    for (int step = 0; step < 100; ++step) {
+      const double a = 0.5 * (low + high), t = std::tan(a);
+      const double slope = -2 * t * (1 + t * t) / (m * m) + 3 * t - 2 * std::tan(theta - a);
+      (slope > 0 ? low : high) = a;
+    }
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.2f°", -2 * low * 180 / std::numbers::pi);
+    CHECK(text.data() == std::string(named));
+    CHECK(caption.find(named) != std::string::npos);
+  }
 }
 
 TEST_CASE("figures and tables of a report are the same bytes on any number of threads") {

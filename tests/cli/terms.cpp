@@ -53,6 +53,36 @@ TEST_CASE("terms: a figure draws the sum and its terms, and sets a parameter of 
   check_error(folder, "brdfplot plot g.json -o .", 2, {"g.json: /x: unknown variable \"alpha\"", "coat.alpha"});
 }
 
+TEST_CASE("terms: a term of another one takes it by name or written within, and its parameters are swept") {
+  const Folder folder;
+  folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n20deg,80deg\n");
+  const std::string specular = R"({"name": "specular", "type": "kelemen",
+      "distribution": {"type": "ggx", "alpha": 0.4}})";
+  const auto material = [&](const std::string& of) {
+    return "{\"terms\": [" + specular + ", {\"type\": \"complement\", \"of\": " + of + ", \"color\": [1, 0.5, 0]}]}";
+  };
+  folder.write("name.json", material("\"specular\""));
+  folder.write("within.json", material(specular));
+  const std::string asked = " -q brdf,complement.albedo -i in.csv";
+  CHECK(check_output(folder, "brdfplot eval name.json" + asked) ==
+        check_output(folder, "brdfplot eval within.json" + asked));
+  folder.write("typo.json", material("\"specullar\""));
+  check_error(folder, "brdfplot eval typo.json" + asked, 2,
+              {"typo.json: /terms/1/of: unknown term \"specullar\"; did you mean \"specular\"?"});
+  folder.write("masked.json", R"({"terms": [{"type": "kelemen", "distribution": {"type": "ggx", "alpha": 0.4},
+      "masking": {"type": "smith"}}]})");
+  check_error(folder, "brdfplot eval masked.json -q brdf -i in.csv", 2, {"masked.json: /terms/0/masking"});
+  check_error(folder, "brdfplot eval name.json -q g1 -i in.csv", 2, {"none of its terms has a microsurface"});
+  folder.write("f.json", R"({"id": "f", "kind": "lines", "title": "T", "caption": "C", "channel": "r",
+    "material": {"$ref": "within.json"}, "at": {"theta_o": "50deg"},
+    "x": {"variable": "complement.of.alpha", "from": 0.2, "to": 0.9, "samples": 3},
+    "panels": [{"series": [{"quantity": "complement.albedo"}]}]})");
+  check_output(folder, "brdfplot plot f.json -o . --quiet");
+  const auto rows = cells(folder.read("f.csv"));
+  REQUIRE(rows.size() >= 3);
+  CHECK(std::stod(rows.back()[3]) > std::stod(rows[1][3])); // rougher facets leave more
+}
+
 TEST_CASE("terms: cloth is made of terms without a microsurface") {
   const Folder folder;
   folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n");
