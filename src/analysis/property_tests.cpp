@@ -88,9 +88,7 @@ std::vector<std::optional<Direction>> normals_of(const Microsurface& surface) {
     const SlopeMap& map = component.frame;
     for (const double r : {0.0, 0.3, 1.0, 3.0})
       for (int k = 0; k < (r > 0 ? 12 : 1); ++k) {
-        const double u1 = r * std::cos(30 * degree * k), u2 = r * std::sin(30 * degree * k);
-        const double x = map.mean_x + map.alpha_x * u1;
-        const double y = map.mean_y + map.alpha_y * (map.correlation * u1 + map.decorrelation() * u2);
+        const auto [x, y] = map.slope(r * std::cos(30 * degree * k), r * std::sin(30 * degree * k));
         normals.emplace_back(normalized({-x, -y, 1}));
       }
   }
@@ -225,20 +223,16 @@ PropertySubject::PropertySubject(const MaterialDescription& from) : description(
   std::size_t surfaces = 0;
   bool formula = false, round = true;
   for (const WeightedTerm& term : material.terms) {
+    round = round && term.is_isotropic();
     const Microsurface* own = term.surface();
     if (own == nullptr) continue;
     ++surfaces;
     surface = own;
-    formula = formula || std::visit(
-                             [](const auto& m) {
-                               return requires { m.is_formula; };
-                             },
-                             own->masking);
-    round = round && is_isotropic(own->distribution);
+    formula = formula || is_formula(own->masking);
   }
   if (surfaces > 1) surface = nullptr;
   // Without a Lambda, G1 depends on the azimuth between viewer and normal, but the integrals do not on the viewer's.
-  const int count = round && !formula ? 1 : material.mesosurface().centred() && !formula ? 6 : 12;
+  const int count = round ? 1 : material.mesosurface().centred() && !formula ? 6 : 12;
   for (int k = 0; k < count; ++k) azimuths.push_back(30 * degree * k);
 }
 

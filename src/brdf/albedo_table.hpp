@@ -2,6 +2,7 @@
 /// Tables of directional albedo.
 #pragma once
 
+#include "math/direction.hpp"
 #include "math/quadrature.hpp"
 
 #include <array>
@@ -11,49 +12,53 @@
 
 namespace brdfplot {
 
-/// E(mu), the directional albedo as a function of the cosine mu of the viewer's polar angle, for up to three channels:
-/// piecewise polynomials in sqrt(mu), through Chebyshev nodes, on pieces that are halved until their last coefficients
-/// are below the tolerance.
+/// E(omega), the directional albedo of what has the planes y = 0 and x = 0 for mirrors, for up to three channels:
+/// piecewise polynomials in sqrt(cos theta) and in cos 2 phi, through Chebyshev nodes. Pieces are halved, and get more
+/// nodes in cos 2 phi, until their last coefficients are below the tolerance. What is isotropic has one node there.
 class AlbedoTable {
 public:
-  /// E of each channel with its error, at a mu in (0, 1).
-  using Albedo = std::function<ColourEstimate(double mu)>;
+  /// E of each channel with its error, at a direction above the horizon.
+  using Albedo = std::function<ColourEstimate(const Direction& omega)>;
 
   AlbedoTable() = default;
-  AlbedoTable(std::size_t channels, const Albedo& albedo, double tolerance);
+  AlbedoTable(std::size_t channels, bool isotropic, const Albedo& albedo, double tolerance);
 
-  /// E(mu), mu in [0, 1].
-  double albedo(std::size_t channel, double mu) const;
-  /// 1 - E(mu), what is not reflected; 0 where E is above 1 by no more than its error.
-  double loss(std::size_t channel, double mu) const;
-  /// 1 - mean E = 2 int (1 - E) mu dmu over [0, 1] (cf. Kelemen and Szirmay-Kalos 2001, Eq. 5).
+  /// E(omega), omega above the horizon.
+  double albedo(std::size_t channel, const Direction& omega) const;
+  /// 1 - E(omega), what is not reflected; 0 where E is above 1 by no more than its error.
+  double loss(std::size_t channel, const Direction& omega) const;
+  /// 1 - mean E, the mean over the hemisphere weighted by cos / pi (cf. Kelemen and Szirmay-Kalos 2001, Eq. 5).
   double mean_loss(std::size_t channel) const { return mean_loss_[channel]; }
   double mean(std::size_t channel) const { return 1 - mean_loss_[channel]; }
 
   std::size_t channels() const { return channels_; }
+  bool isotropic() const { return isotropic_; }
   /// Bound of the error of E: of the integrals at the nodes and of what lies between.
   double error() const { return error_; }
-  /// The largest value at a node, and the mu that it was found at.
+  /// The largest value at a node, and the direction that it was found at.
   double largest() const { return largest_; }
-  double mu_of_largest() const { return mu_of_largest_; }
+  const Direction& where_largest() const { return where_largest_; }
 
 private:
   static constexpr std::size_t nodes = 16;
-  using Coefficients = std::array<double, nodes>;
+  using Coefficients = std::array<double, nodes>; ///< in sqrt(cos theta)
 
-  /// [from, to] of sqrt(mu).
+  /// [from, to] of sqrt(cos theta): coefficients in cos 2 phi of coefficients in sqrt(cos theta).
   struct Piece {
     double from, to;
-    std::array<Coefficients, 3> of_channel;
+    std::array<std::vector<Coefficients>, 3> of_channel;
   };
 
-  void add(double from, double to, const Albedo& albedo, double tolerance);
+  void add(double from, double to, std::size_t azimuths, const Albedo& albedo, double tolerance);
+  Piece sampled(double from, double to, std::size_t azimuths, const Albedo& albedo, double& worst);
   const Piece& piece_at(double t) const;
 
   std::size_t channels_ = 0;
+  bool isotropic_ = true;
   std::vector<Piece> pieces_;
   std::array<double, 3> mean_loss_{};
-  double error_ = 0, largest_ = 0, mu_of_largest_ = 0;
+  double error_ = 0, largest_ = 0;
+  Direction where_largest_{0, 0, 1};
 };
 
 } // namespace brdfplot

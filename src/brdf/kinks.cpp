@@ -156,8 +156,10 @@ bool is_isotropic(const Distribution& distribution) {
   });
 }
 
-bool is_isotropic(const Microsurface& surface) {
-  return !is_formula(surface.masking) && is_isotropic(surface.distribution);
+bool is_aligned(const Distribution& distribution) {
+  return std::ranges::all_of(components(distribution), [](const Component& component) {
+    return component.frame.correlation == 0 && component.frame.centred();
+  });
 }
 
 std::vector<Switch> masking_kinks(const Microsurface& surface, const Direction& omega_o) {

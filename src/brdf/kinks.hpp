@@ -32,7 +32,8 @@ bool is_mirrored(const Distribution& distribution, const Direction& omega_o);
 bool is_mirrored(const Microsurface& surface, const Direction& omega_o);
 /// Whether every viewer's azimuth sees the same.
 bool is_isotropic(const Distribution& distribution);
-bool is_isotropic(const Microsurface& surface);
+/// Whether it has the planes y = 0 and x = 0 for mirrors.
+bool is_aligned(const Distribution& distribution);
 
 /// The kinks of G1(o, m) as a function of the normal m.
 std::vector<Switch> masking_kinks(const Microsurface& surface, const Direction& omega_o);

@@ -1,6 +1,7 @@
 #include "brdf/material.hpp"
 
 #include "base/number.hpp"
+#include "brdf/kinks.hpp"
 
 #include <algorithm>
 
@@ -189,6 +190,21 @@ const Distribution* WeightedTerm::facets() const {
           return &t.facets();
         else
           return nullptr;
+      },
+      term);
+}
+
+bool WeightedTerm::is_isotropic() const {
+  return std::visit(
+      [](const auto& t) {
+        if constexpr (requires { t.surface; })
+          return !is_formula(t.surface.masking) && brdfplot::is_isotropic(t.surface.distribution);
+        else if constexpr (requires { t.facets(); })
+          return brdfplot::is_isotropic(t.facets());
+        else if constexpr (requires { t.isotropic(); })
+          return t.isotropic();
+        else
+          return true;
       },
       term);
 }

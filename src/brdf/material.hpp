@@ -35,6 +35,8 @@ struct WeightedTerm {
   const Fresnel* fresnel() const;
   /// The distribution that its half vectors follow; null: none.
   const Distribution* facets() const;
+  /// Whether rho is the same for every azimuth of the viewer.
+  bool is_isotropic() const;
 };
 
 /// \throws MaterialError

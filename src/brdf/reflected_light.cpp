@@ -82,6 +82,8 @@ ColourEstimate over_hemisphere(const T& term, const Direction& o, double toleran
   if constexpr (requires { term.surface; }) {
     map = term.surface.slopes();
     f.symmetric = map.alpha_x == map.alpha_y && map.correlation == 0 && is_mirrored(term.surface, o);
+  } else if constexpr (requires { term.isotropic(); }) {
+    f.symmetric = term.isotropic();
   }
   return integrate_hemisphere(map, f, o, tolerance, weight);
 }

@@ -64,6 +64,8 @@ inline ChannelRows rows_from(double* out, std::size_t first, std::size_t n, int 
 /// What a term has to give. Beyond it, by `requires`:
 ///   surface                  its microsurface, if it is derived from one
 ///   distribution             its distribution of normals alone, if that is what it has
+///   isotropic()              whether rho is the same for every azimuth of the viewer, where the surface or the
+///                            distribution does not say it; else it is
 ///   of_another               it is made of the albedo of another term
 ///   fresnel                  its Fresnel term, if it has one
 ///   about_half_vector        rho has D(h) as a factor, and integrals over the light follow it: facets() is the

@@ -11,29 +11,32 @@ namespace brdfplot {
 
 namespace {
 
-void require_isotropic(const WeightedTerm& term) {
-  const Microsurface* surface = term.surface();
-  const Distribution* facets = term.facets();
-  const bool same = surface != nullptr ? is_isotropic(*surface) : facets == nullptr || is_isotropic(*facets);
-  if (!same)
+const Distribution* distribution_of(const WeightedTerm& term) {
+  return term.surface() != nullptr ? &term.surface()->distribution : term.facets();
+}
+
+/// Tables have two planes for mirrors.
+void require_symmetry(const WeightedTerm& term) {
+  const Distribution* facets = distribution_of(term);
+  const bool formula = term.surface() != nullptr && is_formula(term.surface()->masking);
+  if (formula || (facets != nullptr && !is_aligned(*facets)))
     throw MaterialError("/of", "\"" + term.name +
-                                   "\" reflects each azimuth differently; accepted: a term that is "
-                                   "isotropic, centred, and without a masking formula");
+                                   "\" is not symmetric about x and y; accepted: a term that is centred, "
+                                   "without correlation, and without a masking formula");
 }
 
 AlbedoTable table_of(const WeightedTerm& term) {
-  constexpr double tolerance = 1e-8;
+  const double tolerance = term.is_isotropic() ? 1e-8 : 1e-7; // of two dimensions, which takes seconds
   constexpr double largest_error = 1e-6;
-  require_isotropic(term);
+  require_symmetry(term);
   const auto channels = static_cast<std::size_t>(term.channels());
   const AlbedoTable table(
-      channels,
-      [&](double mu) {
-        const Direction o{std::sqrt((1 - mu) * (1 + mu)), 0, mu};
+      channels, term.is_isotropic(),
+      [&](const Direction& o) {
         return reflected_light({&term}, o, 0.1 * tolerance, {0, channels}, every_direction);
       },
       tolerance);
-  const double angle = std::acos(table.mu_of_largest()) * 180 / std::numbers::pi;
+  const double angle = std::acos(table.where_largest().z) * 180 / std::numbers::pi;
   const std::string name = "\"" + term.name + "\"";
   if (!(table.error() <= largest_error))
     throw AccuracyError("albedo of " + name, "reached an error of " + format_number(table.error()) +
@@ -82,14 +85,6 @@ using SharedTable = std::shared_ptr<const AlbedoTable>;
 SharedTable tabulated_albedo(const TermDescription& description) {
   return remembered<SharedTable>(key_of(description),
                                  [&] { return std::make_shared<AlbedoTable>(table_of(build_term(description))); });
-}
-
-SharedTable tabulated_white_albedo(const TermDescription& description) {
-  return remembered<SharedTable>("white " + key_of(description), [&] {
-    const WeightedTerm term = build_term(description);
-    const BrdfTerm white = std::visit([](const auto& t) -> BrdfTerm { return t.white(); }, term.term);
-    return std::make_shared<AlbedoTable>(table_of({term.name, {}, white}));
-  });
 }
 
 } // namespace brdfplot

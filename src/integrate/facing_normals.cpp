@@ -17,14 +17,13 @@ public:
   Frame(const SlopeMap& map, std::span<const Direction> directions, bool kinked) : map_(map), kinked_(kinked) {
     for (const Direction& omega : directions) {
       const double c = map.project(omega).c;
-      lines_.push_back({(map.alpha_x * omega.x + map.correlation * map.alpha_y * omega.y) / c,
-                        map.decorrelation() * map.alpha_y * omega.y / c});
+      const auto [x, y] = map.on_unit_surface(omega);
+      lines_.push_back({x / c, y / c});
     }
   }
 
   Direction normal(double u1, double u2) const {
-    const double x = map_.mean_x + map_.alpha_x * u1;
-    const double y = map_.mean_y + map_.alpha_y * (map_.correlation * u1 + map_.decorrelation() * u2);
+    const auto [x, y] = map_.slope(u1, u2);
     const double z = 1 / std::hypot(1.0, x, y);
     return {-x * z, -y * z, z};
   }

@@ -46,6 +46,11 @@ struct SlopeMap {
     return {alpha_x * omega.x + correlation * alpha_y * omega.y, decorrelation() * alpha_y * omega.y};
   }
 
+  /// mean + L (u, v): the slope whose unit slope is (u, v).
+  Vec2 slope(double u, double v) const {
+    return {mean_x + alpha_x * u, mean_y + alpha_y * (correlation * u + decorrelation() * v)};
+  }
+
   /// z_m^2 |u|^2 for the slope of the normal omega_m: the norm of Eq. 95 without a division by z_m.
   double scaled_norm2(const Direction& omega_m) const {
     const double u = (-omega_m.x - mean_x * omega_m.z) / alpha_x;

@@ -69,11 +69,8 @@ inline UnitSlope sample_visible_slope<GgxShape>(double c, double s, Random& rand
 /// A visible normal. v: any direction but (0, 0, -1) in the space of unit roughness, from where no facet is seen.
 template <class Shape>
 Direction sample_visible_normal(const SlopeMap& slopes, const Direction& v, Random& random) {
-  // v in the space of unit roughness: L^T (x, y), c (see SlopeMap).
-  const double x = slopes.alpha_x * v.x + slopes.correlation * slopes.alpha_y * v.y;
-  const double y = slopes.decorrelation() * slopes.alpha_y * v.y;
-  const double c = v.z - v.x * slopes.mean_x - v.y * slopes.mean_y;
-  const double s = std::hypot(x, y);
+  const auto [x, y] = slopes.on_unit_surface(v);
+  const auto [c, s] = slopes.project(v);
   const double norm = std::hypot(s, c);
   const double along_x = s > 0 ? x / s : 1;
   const double along_y = s > 0 ? y / s : 0;
@@ -81,8 +78,7 @@ Direction sample_visible_normal(const SlopeMap& slopes, const Direction& v, Rand
   // The slope of the surface falls where the facet faces v.
   const double u = -(slope.facing * along_x - slope.across * along_y);
   const double w = -(slope.facing * along_y + slope.across * along_x);
-  const double slope_x = slopes.mean_x + slopes.alpha_x * u;
-  const double slope_y = slopes.mean_y + slopes.alpha_y * (slopes.correlation * u + slopes.decorrelation() * w);
+  const auto [slope_x, slope_y] = slopes.slope(u, w);
   return normalized({-slope_x, -slope_y, 1});
 }
 

@@ -23,11 +23,11 @@ void Complement::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRo
 void evaluate_losses(const AlbedoTable& table, const Rgb& scale, const PairBlock& block, int channels,
                      const ChannelRows& out) {
   for (std::size_t k = 0; k < block.n; ++k) {
-    const double v = block.o.z[k], l = block.i.z[k];
-    const bool lit = v > 0 && l > 0;
+    const Direction o = block.o[k], i = block.i[k];
+    const bool lit = o.z > 0 && i.z > 0;
     double losses = 0;
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-      if (c < table.channels()) losses = lit ? table.loss(c, v) * table.loss(c, l) * (block.times_cosine ? l : 1) : 0;
+      if (c < table.channels()) losses = lit ? table.loss(c, o) * table.loss(c, i) * (block.times_cosine ? i.z : 1) : 0;
       out.rho[c][k] = scale[c] * losses;
     }
   }

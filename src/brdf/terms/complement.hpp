@@ -29,6 +29,7 @@ struct Complement {
   static Complement from(const TermDescription& description);
 
   int channels() const { return color.is_rgb || of->channels() > 1 ? 3 : 1; }
+  bool isotropic() const { return of->isotropic(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const;
   Complement white() const { return {{}, of}; }
 };

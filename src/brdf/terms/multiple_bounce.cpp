@@ -28,7 +28,10 @@ MultipleBounce MultipleBounce::from(const TermDescription& description) {
   if (fresnel == nullptr)
     throw MaterialError("/of/type",
                         "found \"" + other.type + "\"; accepted: a term with a Fresnel term: mirror, kelemen");
-  MultipleBounce made{tabulated_white_albedo(other), {}, values.text("mean_fresnel") == "printed"};
+  TermDescription white = other;
+  white.fresnel = {.type = "none"};
+  white.weight = 1.0;
+  MultipleBounce made{tabulated_albedo(white), {}, values.text("mean_fresnel") == "printed"};
   made.mean_fresnel.is_rgb = std::visit([](const auto& f) { return f.coloured(); }, *fresnel);
   for (std::size_t c = 0; c < 3; ++c)
     made.mean_fresnel.value[c] = brdfplot::mean_fresnel(*fresnel, made.mean_fresnel.is_rgb ? c : 0).value;

@@ -29,6 +29,7 @@ struct MultipleBounce {
   static MultipleBounce from(const TermDescription& description);
 
   int channels() const { return mean_fresnel.channels(); }
+  bool isotropic() const { return of->isotropic(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const;
   MultipleBounce white() const { return {of, {}, printed}; }
 };

@@ -28,8 +28,8 @@ inline Covariance covariance(const SlopeMap& slopes) {
 
 /// The slope whose unit slope is (u, v): mean + L (u, v) (Heitz 2014, Eqs. 88, 94).
 inline Slope slope_at(const SlopeMap& slopes, double u, double v) {
-  return {slopes.mean_x + slopes.alpha_x * u,
-          slopes.mean_y + slopes.alpha_y * (slopes.correlation * u + slopes.decorrelation() * v)};
+  const auto [x, y] = slopes.slope(u, v);
+  return {x, y};
 }
 
 /// The inverse of slope_at().
