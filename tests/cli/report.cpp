@@ -112,6 +112,35 @@ TEST_CASE("the report on Kelemen and Szirmay-Kalos: what its captions say is wha
   }
 }
 
+TEST_CASE("the report on Real-Time Rendering: what its captions say is what its data are") {
+  const Folder folder;
+  check_output(folder, "brdfplot report configs/reports/rtr4-chapter9.json -o out --quiet");
+  const auto last_of = [&](const std::string& figure, const std::string& panel, const std::string& series) {
+    double last = 0, least = 1e300;
+    for (const auto& row : cells(folder.read("out/figures/" + figure + ".csv")))
+      if (row[0] == panel && row[1] == series) {
+        last = std::stod(row[3]);
+        least = std::min(least, last);
+      }
+    return std::pair(last, least);
+  };
+  const auto [disney, least_disney] = last_of("rtr_diffuse_albedo", "rough", "Disney (9.66)");
+  const auto [hammon, least_hammon] = last_of("rtr_diffuse_albedo", "rough", "Hammon (9.68)");
+  CHECK(std::fabs(disney - 1.52) < 0.005);
+  CHECK(std::fabs(hammon - 1.15) < 0.005);
+  CHECK(std::min(least_disney, least_hammon) > 1);
+  CHECK(std::fabs(last_of("rtr_diffuse_albedo", "rough", "Oren–Nayar").first - 1.02) < 0.005);
+  CHECK(std::fabs(last_of("rtr_diffuse_albedo", "rough", "EON").first - 1) < 1e-6);
+  // The first power of mean F is too bright, by seven times where f0 = 0.1; the square is a third too dark at 85deg.
+  const auto at_85 = [&](const std::string& panel, const std::string& series) {
+    return last_of("rtr_multiple_bounce", panel, series).first;
+  };
+  CHECK(std::fabs(at_85("f0 = 0.1", "printed") / at_85("f0 = 0.1", "energy") - 7) < 0.1);
+  CHECK(std::fabs(at_85("f0 = 0.5", "energy") / at_85("f0 = 0.5", "walk") - 2.0 / 3) < 0.03);
+  CHECK(at_85("f0 = 0.1", "energy") < 0.5 * at_85("f0 = 0.1", "walk"));
+  CHECK(std::fabs(at_85("f0 = 1", "energy") - at_85("f0 = 1", "walk")) < 0.01);
+}
+
 TEST_CASE("figures and tables of a report are the same bytes on any number of threads") {
   const Folder folder;
   write_report(folder);
