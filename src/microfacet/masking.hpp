@@ -11,6 +11,7 @@
 
 #include "microfacet/masking/custom.hpp"
 #include "microfacet/masking/implicit.hpp"
+#include "microfacet/masking/karis.hpp"
 #include "microfacet/masking/kelemen.hpp"
 #include "microfacet/masking/published_fit.hpp"
 #include "microfacet/masking/schlick_smith.hpp"
@@ -30,6 +31,7 @@ using Masking = std::variant<Smith,                //
                              Implicit,             //
                              SchlickSmith,         //
                              SchlickSmithRational, //
+                             Karis,                //
                              Kelemen,              //
                              CustomMasking>;
 
