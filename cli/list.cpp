@@ -77,6 +77,7 @@ std::string accepted(const ParameterSpec& parameter) {
   case ParameterKind::number: return parameter.bounds.describe();
   case ParameterKind::number_or_rgb: return parameter.bounds.describe() + ", or [r, g, b] of such";
   case ParameterKind::vec2: return "[x, y], each " + parameter.bounds.describe();
+  case ParameterKind::boolean: return "true | false";
   case ParameterKind::choice: return joined(parameter.choices, " | ");
   case ParameterKind::text: return "a text";
   case ParameterKind::components:
@@ -93,6 +94,7 @@ std::string text_of(const std::array<double, N>& numbers) {
   return "[" + joined(texts, ", ") + "]";
 }
 std::string text_of(double number) { return format_number(number); }
+std::string text_of(bool flag) { return flag ? "true" : "false"; }
 std::string text_of(const std::string& text) { return text; }
 std::string text_of(const WeightedChoices& components) { return std::to_string(components.size()) + " components"; }
 

@@ -116,6 +116,15 @@ DirectionPair direction_pair(const S& shadowing, const SlopeMap& map, const Dire
     return {azimuth_difference({o.x, o.y}, {i.x, i.y}), viewer, light};
 }
 
+/// c Lambda as a form of shadowing has it that brings its own, else as masking has it.
+template <class S>
+double masked_area_of(const S&, const Projection& p, const Direction& omega, double of_masking) {
+  if constexpr (requires { S::masked_area(p, omega); })
+    return S::masked_area(p, omega);
+  else
+    return of_masking;
+}
+
 } // namespace
 
 void set_directions(SurfaceBlock& block, std::size_t n, const Columns& o, const Columns& i, const Columns& m) {
@@ -169,9 +178,12 @@ void compute_visibility(const Microsurface& surface, SurfaceBlock& block) {
           const Direction o = block.o[k], i = block.i[k], m = block.m[k];
           const bool facing = block.has_half || (careful_dot(o, m) > 0 && careful_dot(i, m) > 0);
           const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && m.z > 0;
-          const DirectionPair pair = direction_pair(shadowing, map, o, {v.c[k], v.s[k]}, i, {l.c[k], l.s[k]});
-          const double visibility = shadowing.visibility(
-              {v.c[k], v.unmasked_area[k], v.masked_area[k], l.c[k], l.unmasked_area[k], l.masked_area[k], pair});
+          const Projection viewer{v.c[k], v.s[k]}, light{l.c[k], l.s[k]};
+          const DirectionPair pair = direction_pair(shadowing, map, o, viewer, i, light);
+          const double t_o = masked_area_of(shadowing, viewer, o, v.masked_area[k]);
+          const double t_i = masked_area_of(shadowing, light, i, l.masked_area[k]);
+          const double visibility =
+              shadowing.visibility({v.c[k], v.unmasked_area[k], t_o, l.c[k], l.unmasked_area[k], t_i, pair});
           block.visibility[k] = lit ? visibility : 0;
         }
       },

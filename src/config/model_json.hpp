@@ -17,6 +17,7 @@ inline ModelChoice to_choice(const Json& value, const std::vector<ModelSpec>& sp
 inline Value to_value(const Json& value, const ParameterSpec& spec) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return value.get<double>();
+  if (value.is_boolean()) return value.get<bool>();
   if (spec.kind == ParameterKind::vec2) return value.get<Vec2>();
   if (spec.kind != ParameterKind::components) return value.get<Rgb>();
   WeightedChoices components;

@@ -297,6 +297,7 @@ ShapePtr parameter(const ParameterSpec& spec) {
   case ParameterKind::number: return number(spec.bounds);
   case ParameterKind::number_or_rgb: return either({number(spec.bounds), array(number(spec.bounds), 3, 3)});
   case ParameterKind::vec2: return array(number(spec.bounds), 2, 2);
+  case ParameterKind::boolean: return boolean();
   case ParameterKind::formula:
   case ParameterKind::text: return text();
   case ParameterKind::components:

@@ -1,8 +1,14 @@
 #include "microfacet/fresnel.hpp"
 
+#include "base/errors.hpp"
+#include "base/number.hpp"
 #include "math/kernels/kernels.hpp"
+#include "math/quadrature.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace brdfplot {
 
@@ -34,19 +40,21 @@ double conductor_reflectance(double c, double eta, double k) {
 }
 
 ModelSpec SchlickFresnel::spec() {
-  return {.type = "schlick",
-          .doc = "f0 + (f90 - f0) (1 - cos)^exponent",
-          .source = "Schlick 1994; Akenine-Moller et al. 2018, Eq. 9.18",
-          .parameters = {{.key = "f0",
-                          .kind = ParameterKind::number_or_rgb,
-                          .bounds = unit_interval,
-                          .doc = "reflectance at normal incidence"},
-                         {.key = "f90",
-                          .kind = ParameterKind::number_or_rgb,
-                          .bounds = unit_interval,
-                          .fallback = 1.0,
-                          .doc = "reflectance at grazing"},
-                         {.key = "exponent", .bounds = exponents, .fallback = 5.0, .doc = "how late it rises"}}};
+  return {
+      .type = "schlick",
+      .doc = "f0 + (f90 - f0) (1 - cos)^exponent",
+      .source = "Schlick 1994, Eq. 24; Akenine-Moller et al. 2018, Eq. 9.18",
+      .parameters = {
+          {.key = "f0",
+           .kind = ParameterKind::number_or_rgb,
+           .bounds = unit_interval,
+           .doc = "reflectance at normal incidence"},
+          {.key = "f90",
+           .kind = ParameterKind::number_or_rgb,
+           .bounds = unit_interval,
+           .fallback = 1.0,
+           .doc = "reflectance at grazing"},
+          {.key = "exponent", .bounds = exponents, .fallback = 5.0, .doc = "how late it rises; 1 / p of Eq. 9.18"}}};
 }
 
 SchlickFresnel SchlickFresnel::from(const Values& values) {
@@ -55,6 +63,78 @@ SchlickFresnel SchlickFresnel::from(const Values& values) {
 
 void SchlickFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
   kernels::reflectance_schlick(c, f0[channel], f90[channel], exponent, f, n);
+}
+
+namespace {
+
+/// c (1 - c)^6 at c = 1/7, its maximum, and (1 - c)^5 there.
+constexpr double dip_at_82 = 46656.0 / 823543, fifth_at_82 = 7776.0 / 16807;
+
+double schlick_at_82(double f0) { return f0 + (1 - f0) * fifth_at_82; }
+
+} // namespace
+
+double SchlickFresnel::mean(std::size_t channel) const {
+  const double n = exponent;
+  return (f0[channel] * (n * (n + 3)) + f90[channel] * 2) / ((n + 1) * (n + 2));
+}
+
+ModelSpec F82Fresnel::spec() {
+  return {.type = "f82",
+          .doc = "Schlick's, times f82 at 82 degrees, as the dip of metals: B - a cos (1 - cos)^6",
+          .source = "Lazanyi and Szirmay-Kalos 2005; Hoffman 2019; Kutz, Hasan and Edmondson 2021",
+          .parameters = {{.key = "f0",
+                          .kind = ParameterKind::number_or_rgb,
+                          .bounds = unit_interval,
+                          .doc = "reflectance at normal incidence"},
+                         {.key = "f82",
+                          .kind = ParameterKind::number_or_rgb,
+                          .bounds = unit_interval,
+                          .doc = "factor of Schlick's reflectance where cos = 1/7"}}};
+}
+
+double F82Fresnel::coefficient(double f0, double f82) { return schlick_at_82(f0) * (1 - f82) / dip_at_82; }
+
+/// F = F' = 0 at u = 1 - c, where u^5 (2u - 1) = r (6 - 7u), r = f0 / (1 - f0), and a = 5 (1 - f0) / (u (6 - 7u)): of
+/// the two sides the left one rises and the right one falls.
+double F82Fresnel::least_f82(double f0) {
+  if (f0 == 1) return 0;
+  const double r = f0 / (1 - f0);
+  double low = 0.5, high = 6.0 / 7;
+  for (int k = 0; k < 60; ++k) {
+    const double u = 0.5 * (low + high), u2 = u * u;
+    (u2 * u2 * u * (2 * u - 1) < r * (6 - 7 * u) ? low : high) = u;
+  }
+  // r (6 - 7u) instead of 6 - 7u, which cancels where r is large.
+  const double u2 = low * low, rest = r > 1 ? u2 * u2 * low * (2 * low - 1) / r : 6 - 7 * low;
+  const double a = 5 * (1 - f0) / (low * rest);
+  return std::max(0.0, 1 - a * dip_at_82 / schlick_at_82(f0));
+}
+
+Made<F82Fresnel> F82Fresnel::from(const Values& values) {
+  F82Fresnel made{values.rgb("f0"), values.rgb("f82"), values.is_rgb("f0") || values.is_rgb("f82")};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double least = least_f82(made.f0[k]);
+    if (made.f82[k] < least)
+      return ParameterError{"f82", "found " + format_number(made.f82[k]) + " with f0 = " + format_number(made.f0[k]) +
+                                       ", where the reflectance falls below 0; accepted: a number in [" +
+                                       format_number(least) + ", 1]"};
+  }
+  return made;
+}
+
+/// F = f0 (1 - u^5) + u^5 (1 - a c u), u = 1 - c.
+void F82Fresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
+  const double normal = f0[channel], a = coefficient(normal, f82[channel]);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double u = 1 - c[k], u2 = u * u;
+    const double complement = c[k] * (1 + u * (1 + u * (1 + u * (1 + u))));
+    f[k] = std::max(0.0, normal * complement + u2 * u2 * u * (1 - a * c[k] * u));
+  }
+}
+
+double F82Fresnel::mean(std::size_t channel) const {
+  return f0[channel] + (1 - f0[channel]) / 21 - coefficient(f0[channel], f82[channel]) / 126;
 }
 
 ModelSpec DielectricFresnel::spec() {
@@ -103,6 +183,51 @@ std::optional<double> ConductorFresnel::critical_cosine(std::size_t channel) con
 
 void ConductorFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
   kernels::reflectance_conductor(c, eta[channel], k[channel], f, n);
+}
+
+namespace {
+
+/// The integral up to where F is not smooth, by c = critical (1 - t^2), or from there on, by c = critical + (1 -
+/// critical) t^2: in t what is a root in c is smooth.
+template <class F>
+Estimate mean_of_part(const F& fresnel, std::size_t channel, double critical, bool above) {
+  const double range = above ? 1 - critical : critical;
+  const auto integrand = [&](const double* t, double* y, std::size_t n) {
+    std::vector<double> c(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double way = range * t[k] * t[k];
+      c[k] = std::clamp(above ? critical + way : critical - way, 0.0, 1.0);
+    }
+    fresnel.reflectances(c.data(), channel, y, n);
+    for (std::size_t k = 0; k < n; ++k) y[k] *= 4 * range * t[k] * c[k];
+  };
+  const std::array<double, 2> ends = {0, 1};
+  return integrate(integrand, ends, {.absolute = 0, .relative = 1e-13});
+}
+
+template <class F>
+double mean_by_quadrature(const F& fresnel, std::size_t channel) {
+  const double critical = fresnel.critical_cosine(channel).value_or(0);
+  const Estimate above = mean_of_part(fresnel, channel, critical, true);
+  const Estimate below = critical > 0 ? mean_of_part(fresnel, channel, critical, false) : Estimate{};
+  const double mean = above.value + below.value, error = above.error + below.error;
+  if (!(error <= 1e-12 * mean) && mean > 0)
+    throw AccuracyError("fresnel", "the mean reflectance " + format_number(mean) + " has an error of " +
+                                       format_number(error) + " by estimate, wanted: 1e-12 of it");
+  return mean;
+}
+
+} // namespace
+
+double mean_fresnel(const Fresnel& fresnel, std::size_t channel) {
+  return std::visit(
+      [channel](const auto& of) {
+        if constexpr (requires { of.mean(channel); })
+          return of.mean(channel);
+        else
+          return mean_by_quadrature(of, channel);
+      },
+      fresnel);
 }
 
 } // namespace brdfplot

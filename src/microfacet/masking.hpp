@@ -14,6 +14,7 @@
 
 #include "microfacet/masking/custom.hpp"
 #include "microfacet/masking/implicit.hpp"
+#include "microfacet/masking/karis.hpp"
 #include "microfacet/masking/kelemen.hpp"
 #include "microfacet/masking/published_fit.hpp"
 #include "microfacet/masking/schlick_smith.hpp"
@@ -33,6 +34,7 @@ using Masking = std::variant<Smith,                //
                              Implicit,             //
                              SchlickSmith,         //
                              SchlickSmithRational, //
+                             Karis,                //
                              Kelemen,              //
                              CustomMasking>;
 

@@ -1,11 +1,13 @@
 /// \file
 /// The joint masking-shadowing function G2 (Heitz 2014, section 6), written as V = G2 / (c_o c_i): the form in which
 /// the BRDF needs it and in which nothing is 0 / 0 at grazing. The list of types is at the end. `kernel`, where a type
-/// has it, names the form in which the batch kernels know it.
+/// has it, names the form in which the batch kernels know it; `masked_area(projection, omega)`, where a type has it, is
+/// a c Lambda of its own, whatever the masking function is.
 #pragma once
 
 #include "math/kernels/kernels.hpp"
 #include "microfacet/direction_factor.hpp"
+#include "microfacet/masking/karis.hpp"
 #include "models/parameters.hpp"
 
 #include <algorithm>
@@ -33,6 +35,11 @@ inline ParameterSpec direction_factor_parameter() {
 inline DirectionFactor direction_factor_from(const Values& values) {
   const auto& names = direction_factor_names();
   return static_cast<DirectionFactor>(std::ranges::find(names, values.text("lambda")) - names.begin());
+}
+
+/// V of G2 = 1 / (1 + Lambda(o) + Lambda(i)).
+inline double height_correlated_visibility(const MaskedPair& p) {
+  return 1 / (p.c_o * p.c_i + p.c_i * p.t_o + p.c_o * p.t_i);
 }
 
 /// V of min(G1(o), G1(i)).
@@ -87,7 +94,7 @@ struct HeightCorrelated {
   static constexpr bool needs_azimuth = false;
   static constexpr bool compares = false;
   static constexpr kernels::Shadowing kernel = kernels::Shadowing::height_correlated;
-  double visibility(const MaskedPair& p) const { return 1 / (p.c_o * p.c_i + p.c_i * p.t_o + p.c_o * p.t_i); }
+  double visibility(const MaskedPair& p) const { return height_correlated_visibility(p); }
 };
 
 struct DirectionCorrelated {
@@ -130,11 +137,46 @@ struct HeightDirectionCorrelated {
   }
 };
 
-using Shadowing = std::variant<NoShadowing,         //
-                               Separable,           //
-                               Minimum,             //
-                               HeightCorrelated,    //
-                               DirectionCorrelated, //
-                               HeightDirectionCorrelated>;
+/// V = 1 / (alpha (c_o + c_i) / 2 + (1 - alpha) c_o c_i): what `height_correlated` is with masking `karis`, so with its
+/// Lambda on anisotropic and sheared surfaces.
+struct Hammon {
+  static ModelSpec spec() {
+    return {.type = "hammon",
+            .doc = "G2 / (4 NL NV) = 0.5 / lerp(2 NL NV, NL + NV, alpha), whatever G1 is: off by up to 0.233 for GGX",
+            .source = "Hammon 2017; Akenine-Moller et al. 2018, Eq. 9.45"};
+  }
+  static Hammon from(const Values&) { return {}; }
+  static constexpr bool needs_lambda = false;
+  static constexpr bool needs_azimuth = false;
+  static constexpr bool compares = false;
+  static double masked_area(const Projection& p, const Direction& omega) { return Karis::masked_area(p, omega); }
+  double visibility(const MaskedPair& p) const { return height_correlated_visibility(p); }
+};
+
+/// V = 1 / (c_o + c_i - c_o c_i): 1 / (1 + Lambda(o) + Lambda(i)) with 1 + Lambda = 1 / c, the G1 of masking
+/// `implicit`. On sheared surfaces c is the cosine after the shear that levels the mesosurface.
+struct Neubelt {
+  static ModelSpec spec() {
+    return {.type = "neubelt",
+            .doc = "G2 = NL NV / (NL + NV - NL NV), whatever G1 is: the denominator 4 (NL + NV - NL NV)",
+            .source = "Neubelt and Pettineo 2013; Akenine-Moller et al. 2018, Eq. 9.74"};
+  }
+  static Neubelt from(const Values&) { return {}; }
+  static constexpr bool needs_lambda = false;
+  static constexpr bool needs_azimuth = false;
+  static constexpr bool compares = false;
+  /// n - c, n the length of the direction after that shear: 1 - c where there is none.
+  static double masked_area(const Projection& p, const Direction& omega) { return sheared_versine(p, omega); }
+  double visibility(const MaskedPair& p) const { return height_correlated_visibility(p); }
+};
+
+using Shadowing = std::variant<NoShadowing,               //
+                               Separable,                 //
+                               Minimum,                   //
+                               HeightCorrelated,          //
+                               DirectionCorrelated,       //
+                               HeightDirectionCorrelated, //
+                               Hammon,                    //
+                               Neubelt>;
 
 } // namespace brdfplot

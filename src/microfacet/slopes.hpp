@@ -20,6 +20,13 @@ struct Projection {
   double s = 0; ///< projected roughness, alpha_o sin theta; a = c / s
 };
 
+/// n - c of a direction after the vertical shear that levels the mesosurface, with n^2 = x^2 + y^2 + c^2 the square of
+/// its length, as h^2 / (n + c), h^2 = x^2 + y^2, which does not cancel. 1 - cos theta when centred.
+inline double sheared_versine(const Projection& p, const Direction& omega) {
+  const double h = std::hypot(omega.x, omega.y);
+  return h * (h / (std::hypot(h, p.c) + p.c));
+}
+
 /// Slopes m~ = mean + L u, with |u| the norm of Eq. 89 and L L^T = Q^-1 (Eq. 88).
 struct SlopeMap {
   double alpha_x = 1;

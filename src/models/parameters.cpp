@@ -46,6 +46,7 @@ std::optional<std::string> problem_with(const ParameterSpec& parameter, const Va
     if (parameter.bounds.contains(x)) return std::nullopt;
     return "found " + format_number(x) + ", accepted: " + parameter.bounds.describe();
   };
+  if (std::holds_alternative<bool>(value)) return std::nullopt;
   if (const auto* number = std::get_if<double>(&value)) return outside(*number);
   if (const auto* pair = std::get_if<Vec2>(&value)) {
     for (const double x : *pair)

@@ -41,7 +41,7 @@ private:
   std::vector<WeightedChoice> items_;
 };
 
-using Value = std::variant<double, Vec2, Rgb, std::string, WeightedChoices>;
+using Value = std::variant<double, Vec2, Rgb, std::string, WeightedChoices, bool>;
 
 struct ModelSpec;
 
@@ -49,6 +49,7 @@ enum class ParameterKind {
   number,
   number_or_rgb, ///< a scalar stands for three equal channels
   vec2,
+  boolean,    ///< true or false
   choice,     ///< one of `choices`
   formula,    ///< text: a formula (math/formula.hpp) of the variables `choices`
   text,       ///< any: the path of a file
@@ -100,6 +101,7 @@ public:
   double number(std::string_view key) const { return get<double>(key); }
   Vec2 vec2(std::string_view key) const { return get<Vec2>(key); }
   std::string text(std::string_view key) const { return get<std::string>(key); }
+  bool flag(std::string_view key) const { return get<bool>(key); }
   const WeightedChoices& components(std::string_view key) const;
   /// A scalar is spread over three channels.
   Rgb rgb(std::string_view key) const;

@@ -1,5 +1,5 @@
-// Closed forms of diffuse and cloth terms against the equations as they are printed (Disney's f_ss: as its source has
-// it), with 50 digits and h = normalised (o + i).
+// Closed forms of diffuse and cloth terms against the equations as they are printed (Disney's f_ss: also as its
+// source has it), with 50 digits and h = normalised (o + i).
 #include "../materials.hpp"
 #include "analysis/integrals.hpp"
 #include "analysis/properties.hpp"
@@ -62,12 +62,13 @@ Real eon(const Real& rho, const Real& r, const Cosines& p) {
   return rho * fujii(r, p) + further;
 }
 
-Real disney(const Real& alpha, const Real& k, const Cosines& p) {
+Real disney(const Real& alpha, const Real& k, bool printed, const Cosines& p) {
   const Real m_l = fifth_of(1 - p.l), m_v = fifth_of(1 - p.v), ss90 = sqrt(alpha) * p.lh * p.lh;
   const Real d90 = Real(1) / 2 + 2 * ss90;
   const Real fd = (1 + (d90 - 1) * m_l) * (1 + (d90 - 1) * m_v);
   const Real fs = (1 + (ss90 - 1) * m_l) * (1 + (ss90 - 1) * m_v);
-  return ((1 - k) * fd + Real(5) / 4 * k * ((1 / (p.l + p.v) - Real(1) / 2) * fs + Real(1) / 2)) / pi();
+  const Real among = printed ? p.l * p.v : p.l + p.v;
+  return ((1 - k) * fd + Real(5) / 4 * k * ((1 / among - Real(1) / 2) * fs + Real(1) / 2)) / pi();
 }
 
 Real hammon(const Real& rho, const Real& f0, const Real& alpha, const Cosines& p) {
@@ -120,9 +121,10 @@ std::vector<Case> cases() {
     }
   for (const double alpha : {0.0, 0.25, 1.0})
     for (const double k : {0.0, 0.4, 1.0})
-      all.push_back({"disney_diffuse",
-                     {{"albedo", 1.0}, {"alpha", alpha}, {"subsurface", k}},
-                     [=](const Cosines& p) -> Real { return disney(alpha, k, p); }});
+      for (const bool printed : {false, true})
+        all.push_back({"disney_diffuse",
+                       {{"albedo", 1.0}, {"alpha", alpha}, {"subsurface", k}, {"printed", printed}},
+                       [=](const Cosines& p) -> Real { return disney(alpha, k, printed, p); }});
   all.push_back(
       {"disney_sheen", {{"color", 0.8}}, [](const Cosines& p) -> Real { return real(0.8) * fifth_of(1 - p.lh); }});
   all.push_back(

@@ -87,8 +87,8 @@ TEST_CASE("the other masking functions are what Heitz 2014 prints") {
 
 TEST_CASE("masking is 0 for normals that face away and at or below the horizon, and 1 at the normal") {
   const Direction away = from_angles(1.3, 3.1);
-  for (const auto* masking :
-       {"smith", "smith_rational", "v_cavity", "implicit", "schlick_smith", "schlick_smith_rational", "kelemen"}) {
+  for (const auto* masking : {"smith", "smith_rational", "v_cavity", "implicit", "schlick_smith",
+                              "schlick_smith_rational", "karis", "kelemen"}) {
     INFO(masking);
     const Material m = material("beckmann", 0.5, masking);
     CHECK(value_at_normal(m, Quantity::g1, from_angles(1.2, 0), away) == 0);
@@ -104,7 +104,8 @@ TEST_CASE("masking is 0 for normals that face away and at or below the horizon, 
 }
 
 TEST_CASE("masking decreases with the angle and stays in [0, 1]") {
-  for (const auto* masking : {"smith", "smith_rational", "implicit", "schlick_smith", "schlick_smith_rational"})
+  for (const auto* masking :
+       {"smith", "smith_rational", "implicit", "schlick_smith", "schlick_smith_rational", "karis"})
     for (const double alpha : {0.01, 0.3, 1.0, 10.0}) {
       const Material m = material("beckmann", alpha, masking);
       double last = 1;
