@@ -4,7 +4,6 @@
 #include "analysis/integrals.hpp"
 #include "brdf/reflected_light.hpp"
 #include "brdf/term_albedo.hpp"
-#include "microfacet/mean_fresnel.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <doctest/doctest.h>
@@ -246,7 +245,7 @@ TEST_CASE("multiple_bounce: the energy of its two readings is that of the series
   const Material energy = build(of("multiple_bounce", mirror)), other = build(as_printed);
   const Fresnel fresnel = *build_term(mirror).fresnel();
   for (std::size_t c = 0; c < 3; ++c) {
-    const double f = mean_fresnel(fresnel, c).value;
+    const double f = mean_fresnel(fresnel, c);
     // Light that has been lost once is reflected by f at each further bounce, and leaves with mean R = 1 - lost.
     double series = 0, weight = f;
     for (int bounce = 2; bounce < 400; ++bounce) {
@@ -257,28 +256,6 @@ TEST_CASE("multiple_bounce: the energy of its two readings is that of the series
     CHECK(got.value == doctest::Approx(table->loss(0, at(0.4)) * series).epsilon(1e-7));
     const Estimate bright = compute(Integral::albedo, other, at(0.4), 1e-9, static_cast<int>(c));
     CHECK(bright.value == doctest::Approx(got.value / f).epsilon(1e-7));
-  }
-}
-
-TEST_CASE("mean Fresnel: Schlick's in closed form, a dielectric's and a conductor's in limits") {
-  for (const double exponent : {5.0, 3.0, 0.5}) {
-    const TermDescription d = with_fresnel(describe("ggx", 0.1), "schlick", {{"f0", 0.04}, {"f90", 0.9}});
-    TermDescription e = d;
-    e.fresnel.values.set("exponent", exponent);
-    const double exact = 0.04 + 2 * (0.9 - 0.04) / ((exponent + 1) * (exponent + 2));
-    const Estimate got = mean_fresnel(*build_term(e).fresnel(), 0);
-    CHECK(std::fabs(got.value - exact) <= got.error + 1e-16);
-    CHECK(got.error <= 1e-13);
-  }
-  // Of a dielectric from within, 1 - mean(1 / eta) = (1 - mean(eta)) / eta^2 by reciprocity (Fresnel's factors are
-  // equal along a refracted ray, and mu dmu scales by eta^2).
-  for (const double eta : {1.1, 1.5, 3.0}) {
-    const auto mean = [](double of_eta) {
-      return mean_fresnel(*build_term(with_fresnel(describe("ggx", 0.1), "dielectric", {{"eta", of_eta}})).fresnel(),
-                          0);
-    };
-    const Estimate outside = mean(eta), inside = mean(1 / eta);
-    CHECK(std::fabs((1 - inside.value) - (1 - outside.value) / (eta * eta)) <= inside.error + outside.error + 1e-14);
   }
 }
 

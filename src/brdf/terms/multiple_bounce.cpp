@@ -2,7 +2,7 @@
 
 #include "brdf/term_albedo.hpp"
 #include "brdf/terms/complement.hpp"
-#include "microfacet/mean_fresnel.hpp"
+#include "microfacet/fresnel.hpp"
 
 #include <numbers>
 
@@ -34,7 +34,7 @@ MultipleBounce MultipleBounce::from(const TermDescription& description) {
   MultipleBounce made{tabulated_albedo(white), {}, values.text("mean_fresnel") == "printed"};
   made.mean_fresnel.is_rgb = std::visit([](const auto& f) { return f.coloured(); }, *fresnel);
   for (std::size_t c = 0; c < 3; ++c)
-    made.mean_fresnel.value[c] = brdfplot::mean_fresnel(*fresnel, made.mean_fresnel.is_rgb ? c : 0).value;
+    made.mean_fresnel.value[c] = brdfplot::mean_fresnel(*fresnel, made.mean_fresnel.is_rgb ? c : 0);
   return made;
 }
 

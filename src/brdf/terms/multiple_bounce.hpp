@@ -11,7 +11,7 @@ namespace brdfplot {
 
 /// rho(o, i) = F_ms (1 - R(o)) (1 - R(i)) / (pi (1 - mean R)) for each channel, R the directional albedo of another
 /// term with F = 1 (Kulla and Conty 2017; Akenine-Moller et al. 2018, Eqs. 9.56-9.57). With mean F the mean of the
-/// other term's Fresnel term (mean_fresnel.hpp),
+/// other term's Fresnel term (fresnel.hpp),
 ///   energy   F_ms = mean F^2 mean R / (1 - mean F (1 - mean R)), the series of light that is reflected twice and more,
 ///            each time by mean F;
 ///   printed  mean F in the place of its square, as the equation is printed: too bright where F < 1.
