@@ -1,10 +1,12 @@
 #include "brdf/term_albedo.hpp"
 
 #include "base/number.hpp"
+#include "brdf/material.hpp"
 #include "brdf/reflected_light.hpp"
 #include "microfacet/remembered.hpp"
 
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 namespace brdfplot {
@@ -28,9 +30,8 @@ void require_symmetry(const WeightedTerm& term) {
 AlbedoTable table_of(const WeightedTerm& term) {
   const double tolerance = term.is_isotropic() ? 1e-8 : 1e-7; // of two dimensions, which takes seconds
   constexpr double largest_error = 1e-6;
-  require_symmetry(term);
   const auto channels = static_cast<std::size_t>(term.channels());
-  const AlbedoTable table(
+  AlbedoTable table(
       channels, term.is_isotropic(),
       [&](const Direction& o) {
         return reflected_light({&term}, o, 0.1 * tolerance, {0, channels}, every_direction);
@@ -42,8 +43,8 @@ AlbedoTable table_of(const WeightedTerm& term) {
     throw AccuracyError("albedo of " + name, "reached an error of " + format_number(table.error()) +
                                                  " in its table (asked: " + format_number(largest_error) + ")");
   if (table.largest() > 1 + table.error())
-    throw MaterialError("/of", name + " has an albedo of " + format_number(table.largest()) + " at " +
-                                   format_number(angle) + "deg; accepted: a term that reflects no more than it gets");
+    throw InputError(term.name, "has an albedo of " + format_number(table.largest()) + " at " + format_number(angle) +
+                                    "deg; accepted: a term that reflects no more than it gets");
   return table;
 }
 
@@ -74,17 +75,33 @@ std::string key_of(const Values& values) {
 std::string key_of(const ModelChoice& choice) { return choice.type + key_of(choice.values); }
 
 std::string key_of(const TermDescription& d) {
-  return d.type + key_of(d.weight) + key_of(d.distribution) + key_of(d.masking) +
+  return d.name + " " + d.type + key_of(d.weight) + key_of(d.distribution) + key_of(d.masking) +
          (d.shadowing ? key_of(*d.shadowing) : "") + key_of(d.fresnel) + key_of(d.values);
 }
 
-using SharedTable = std::shared_ptr<const AlbedoTable>;
-
 } // namespace
 
-SharedTable tabulated_albedo(const TermDescription& description) {
-  return remembered<SharedTable>(key_of(description),
-                                 [&] { return std::make_shared<AlbedoTable>(table_of(build_term(description))); });
+struct TermAlbedo::Shared {
+  WeightedTerm term;
+  std::once_flag made;
+  AlbedoTable table;
+};
+
+TermAlbedo::TermAlbedo(const TermDescription& term)
+    : shared_(remembered<std::shared_ptr<Shared>>(key_of(term), [&] {
+        auto shared = std::make_shared<Shared>();
+        shared->term = build_term(term);
+        require_symmetry(shared->term);
+        return shared;
+      })) {}
+
+std::size_t TermAlbedo::channels() const { return static_cast<std::size_t>(shared_->term.channels()); }
+
+bool TermAlbedo::is_isotropic() const { return shared_->term.is_isotropic(); }
+
+const AlbedoTable& TermAlbedo::table() const {
+  std::call_once(shared_->made, [&] { shared_->table = table_of(shared_->term); });
+  return shared_->table;
 }
 
 } // namespace brdfplot

@@ -1,17 +1,31 @@
 /// \file
-/// The albedo of a term as a table that another term is made of.
+/// The albedo of a term, of which another term is made.
 #pragma once
 
 #include "brdf/albedo_table.hpp"
-#include "brdf/material.hpp"
+#include "brdf/term.hpp"
 
 #include <memory>
 
 namespace brdfplot {
 
-/// The table of a term with its weight, to about 1e-8, or 3e-7 where it is anisotropic. Remembered: a material is built
-/// several times on its way. \throws MaterialError where it has not the planes y = 0 and x = 0 for mirrors, or its
-/// albedo is above 1 by more than its error; AccuracyError where the integrals do not reach 1e-6
-std::shared_ptr<const AlbedoTable> tabulated_albedo(const TermDescription& description);
+/// The albedo of a term with its weight, as a table that is made when it is first asked for: files are read and checked
+/// without. Copies share it, and so do terms of the same description, since figures build a material a value.
+class TermAlbedo {
+public:
+  /// \throws MaterialError at "/of" where the term has not the planes y = 0 and x = 0 for mirrors
+  explicit TermAlbedo(const TermDescription& term);
+
+  std::size_t channels() const;
+  bool is_isotropic() const;
+  /// To about 1e-8, or 3e-7 where it is anisotropic.
+  /// \throws InputError where the albedo is above 1 by more than its error; AccuracyError where the integrals do not
+  /// reach 1e-6
+  const AlbedoTable& table() const;
+
+private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+};
 
 } // namespace brdfplot

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <vector>
 
 namespace brdfplot {
@@ -22,6 +21,14 @@ constexpr double credit = 100;
 using Channels = std::array<double, 3>;
 
 double largest(const Channels& of) { return std::max({of[0], of[1], of[2]}); }
+
+/// Whether holds(c) for each channel c.
+template <class Predicate>
+bool all_channels(std::size_t channels, const Predicate& holds) {
+  for (std::size_t c = 0; c < channels; ++c)
+    if (!holds(c)) return false;
+  return true;
+}
 
 struct Cell {
   Rectangle where;
@@ -99,11 +106,10 @@ public:
     const auto believed = [&](std::size_t c) {
       return error(halves, c) >= 1e-4 * std::fabs(halves[0].value[c] + halves[1].value[c] - whole.value[c]);
     };
-    const auto all = std::views::iota(std::size_t{0}, channels_);
-    if (std::ranges::all_of(all, believed)) return halves;
+    if (all_channels(channels_, believed)) return halves;
     const Pair others = cut(whole, 0.45);
-    const auto worse = [&](std::size_t c) { return error(others, c) > error(halves, c); };
-    return std::ranges::any_of(all, worse) ? others : halves;
+    const auto better = [&](std::size_t c) { return !(error(others, c) > error(halves, c)); };
+    return all_channels(channels_, better) ? halves : others;
   }
 
   std::size_t evaluations = 0;
@@ -144,7 +150,7 @@ ColourEstimate integrate_plane(const PlaneFunction& f, std::size_t channels, std
     const auto met = [&](std::size_t c) {
       return estimate.error[c] <= std::max(tolerance.absolute, tolerance.relative * std::fabs(estimate.value[c]));
     };
-    return std::ranges::all_of(std::views::iota(std::size_t{0}, channels), met);
+    return all_channels(channels, met);
   };
   for (const Rectangle& r : rectangles)
     if (r.x0 < r.x1 && r.y0 < r.y1) add(cubature.apply(r));

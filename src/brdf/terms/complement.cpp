@@ -1,23 +1,22 @@
 #include "brdf/terms/complement.hpp"
 
-#include "brdf/term_albedo.hpp"
-
 #include <numbers>
 
 namespace brdfplot {
 
 Complement Complement::from(const TermDescription& description) {
   const Values values = completed_values<Complement>(description);
-  return {Colour::from(values, "color"), tabulated_albedo(another_of(description))};
+  return {Colour::from(values, "color"), TermAlbedo(another_of(description))};
 }
 
 void Complement::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
+  const AlbedoTable& table = of.table();
   Rgb scale{};
   for (std::size_t c = 0; c < scale.size(); ++c) {
-    const double left = of->mean_loss(of->channels() > 1 ? c : 0);
-    scale[c] = left > of->error() ? color.value[c] * std::numbers::inv_pi / left : 0;
+    const double left = table.mean_loss(table.channels() > 1 ? c : 0);
+    scale[c] = left > table.error() ? color.value[c] * std::numbers::inv_pi / left : 0;
   }
-  evaluate_losses(*of, scale, block, channels(), out);
+  evaluate_losses(table, scale, block, channels(), out);
 }
 
 void evaluate_losses(const AlbedoTable& table, const Rgb& scale, const PairBlock& block, int channels,

@@ -2,10 +2,8 @@
 /// What a matte part reflects of the light that a specular part leaves.
 #pragma once
 
-#include "brdf/albedo_table.hpp"
+#include "brdf/term_albedo.hpp"
 #include "brdf/terms/flat.hpp"
-
-#include <memory>
 
 namespace brdfplot {
 
@@ -13,11 +11,11 @@ namespace brdfplot {
 /// term with its weight and mean E = 2 int E mu dmu (Kelemen and Szirmay-Kalos 2001, Eq. 6; Shirley et al. 1997). Its
 /// albedo is color (1 - E(o)), so that both together reflect E + color (1 - E): all where color is 1.
 ///
-/// E is a table (albedo_table.hpp) with an error of about 1e-8, which is that of the albedo of the sum; where no more
-/// than that is left on average, the term is 0.
+/// E is a table (albedo_table.hpp) with an error of about 1e-8 (term_albedo.hpp), which is that of the albedo of the
+/// sum; where no more than that is left on average, the term is 0.
 struct Complement {
   Colour color;
-  std::shared_ptr<const AlbedoTable> of;
+  TermAlbedo of;
 
   static constexpr bool of_another = true;
   static ModelSpec spec() {
@@ -28,8 +26,8 @@ struct Complement {
   }
   static Complement from(const TermDescription& description);
 
-  int channels() const { return color.is_rgb || of->channels() > 1 ? 3 : 1; }
-  bool isotropic() const { return of->isotropic(); }
+  int channels() const { return color.is_rgb || of.channels() > 1 ? 3 : 1; }
+  bool isotropic() const { return of.is_isotropic(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const;
   Complement white() const { return {{}, of}; }
 };

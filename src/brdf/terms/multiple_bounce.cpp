@@ -1,6 +1,6 @@
 #include "brdf/terms/multiple_bounce.hpp"
 
-#include "brdf/term_albedo.hpp"
+#include "brdf/material.hpp"
 #include "brdf/terms/complement.hpp"
 #include "microfacet/fresnel.hpp"
 
@@ -31,7 +31,7 @@ MultipleBounce MultipleBounce::from(const TermDescription& description) {
   TermDescription white = other;
   white.fresnel = {.type = "none"};
   white.weight = 1.0;
-  MultipleBounce made{tabulated_albedo(white), {}, values.text("mean_fresnel") == "printed"};
+  MultipleBounce made{TermAlbedo(white), {}, values.text("mean_fresnel") == "printed"};
   made.mean_fresnel.is_rgb = std::visit([](const auto& f) { return f.coloured(); }, *fresnel);
   for (std::size_t c = 0; c < 3; ++c)
     made.mean_fresnel.value[c] = brdfplot::mean_fresnel(*fresnel, made.mean_fresnel.is_rgb ? c : 0);
@@ -39,14 +39,15 @@ MultipleBounce MultipleBounce::from(const TermDescription& description) {
 }
 
 void MultipleBounce::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-  const double lost = of->mean_loss(0);
+  const AlbedoTable& table = of.table();
+  const double lost = table.mean_loss(0);
   Rgb scale{};
   for (std::size_t c = 0; c < scale.size(); ++c) {
     const double f = mean_fresnel.value[c];
     const double further = (printed ? f : f * f) * (1 - lost) / (1 - f * lost);
-    scale[c] = lost > of->error() ? further * std::numbers::inv_pi / lost : 0;
+    scale[c] = lost > table.error() ? further * std::numbers::inv_pi / lost : 0;
   }
-  evaluate_losses(*of, scale, block, channels(), out);
+  evaluate_losses(table, scale, block, channels(), out);
 }
 
 } // namespace brdfplot

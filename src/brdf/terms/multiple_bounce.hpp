@@ -2,10 +2,8 @@
 /// Light that a microsurface reflects more than once.
 #pragma once
 
-#include "brdf/albedo_table.hpp"
+#include "brdf/term_albedo.hpp"
 #include "brdf/terms/flat.hpp"
-
-#include <memory>
 
 namespace brdfplot {
 
@@ -20,7 +18,7 @@ namespace brdfplot {
 /// R is a table (albedo_table.hpp) with an error of about 1e-8; where no more than that is lost on average, the term
 /// is 0.
 struct MultipleBounce {
-  std::shared_ptr<const AlbedoTable> of;
+  TermAlbedo of;
   Colour mean_fresnel;
   bool printed = false;
 
@@ -29,7 +27,7 @@ struct MultipleBounce {
   static MultipleBounce from(const TermDescription& description);
 
   int channels() const { return mean_fresnel.channels(); }
-  bool isotropic() const { return of->isotropic(); }
+  bool isotropic() const { return of.is_isotropic(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const;
   MultipleBounce white() const { return {of, {}, printed}; }
 };
