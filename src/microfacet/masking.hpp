@@ -7,6 +7,10 @@
 ///
 /// What is not smooth in the direction declares where, so that integrals can be cut there: `kink(projection)`, or
 /// `kink(projection, o_dot_m, z_m)` where it depends on the normal, changes its sign.
+///
+/// May be declared beside: `FitsOnly`, the one distribution it is for; `default_shadowing`, a type of shadowing.hpp,
+/// where it is neither height_correlated (with a Lambda) nor separable (without); `exact_for_surface`, a type of
+/// simulation/surface.hpp, where it is exact for surfaces that are not Smith's; `takes_lambda_of_distribution()`.
 #pragma once
 
 #include "microfacet/masking/custom.hpp"
