@@ -1,8 +1,7 @@
 /// \file
-/// What shapes share that can sample the slopes seen from a direction (see visible_normals.hpp).
+/// What shapes share that can sample the slopes seen from a direction (see visible_normals.hpp). A generator is
+/// base/random.hpp's, or another with `uniform()` in (0, 1): models need not know it.
 #pragma once
-
-#include "base/random.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +17,8 @@ struct UnitSlope {
 
 /// x with the density proportional to (a + x)+ e^(-x^2): the visible slopes of a Gaussian profile, at any signed a =
 /// cot theta. Exact, by rejection; at least a third of the proposals is accepted.
-inline double sample_visible_gaussian(double a, Random& random) {
+template <class Generator>
+double sample_visible_gaussian(double a, Generator& random) {
   const auto exponential = [&] { return -std::log(random.uniform()); };
   for (;;) {
     if (a >= 0) {

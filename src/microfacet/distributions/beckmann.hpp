@@ -41,7 +41,8 @@ struct BeckmannShape {
   static constexpr const char* simulated_surface = "gaussian";
 
   /// Slopes of a Gaussian are independent along any two axes.
-  static UnitSlope sample_visible_slope(double c, double s, Random& random) {
+  template <class Generator>
+  static UnitSlope sample_visible_slope(double c, double s, Generator& random) {
     const double radius = std::sqrt(-std::log(random.uniform()));
     const double across = radius * std::cos(2 * std::numbers::pi * random.uniform());
     return {sample_visible_gaussian(c / s, random), across};

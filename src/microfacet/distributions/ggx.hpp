@@ -38,7 +38,8 @@ struct GgxShape {
   static constexpr const char* simulated_surface = "ggx";
 
   /// Reflected at its visible normals, a direction is spread evenly over a spherical cap (Dupuy and Benyoub 2023).
-  static UnitSlope sample_visible_slope(double c, double s, Random& random) {
+  template <class Generator>
+  static UnitSlope sample_visible_slope(double c, double s, Generator& random) {
     const double phi = 2 * std::numbers::pi * random.uniform();
     const double z = 1 - random.uniform() * (1 + c);
     const double radius = std::sqrt(std::fmax(0.0, (1 - z) * (1 + z)));
