@@ -6,6 +6,7 @@
 #include "config/figure_scope.hpp"
 #include "config/load.hpp"
 #include "config/shapes.hpp"
+#include "figure/series/simulated.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,11 @@ namespace {
 
 using plot::Expression;
 
+plot::Kind kind_named(const std::string& name) {
+  const auto found = std::ranges::find(plot::panel_kinds, name, &plot::PanelKind::name);
+  return static_cast<plot::Kind>(found - plot::panel_kinds.begin());
+}
+
 class Reader {
 public:
   explicit Reader(const JsonFile& file) : file_(file) {}
@@ -28,11 +34,7 @@ public:
     out.id = root["id"].get<std::string>();
     out.title = root["title"].get<std::string>();
     out.caption = root["caption"].get<std::string>();
-    out.kind = kind_ = std::map<std::string, plot::Kind>{{"lines", plot::Kind::lines},
-                                                         {"polar", plot::Kind::polar},
-                                                         {"heatmap", plot::Kind::heatmap},
-                                                         {"profile", plot::Kind::profile}}
-                           .at(root["kind"].get<std::string>());
+    out.kind = kind_ = kind_named(root["kind"].get<std::string>());
     out.columns = root.value("columns", 1);
     out.share = std::map<std::string, plot::Share>{{"none", plot::Share::none},
                                                    {"rows", plot::Share::rows},
@@ -209,7 +211,8 @@ private:
     const std::string at = step(pointer, "compare_to");
     const Expression reference = expression(object, at, scope);
     const bool lobe = reference.operation == Expression::Operation::term && reference.term.simulate &&
-                      reference.term.simulate->source == "surface" && reference.term.quantity == "brdf_cos";
+                      reference.term.quantity == "brdf_cos" &&
+                      plot::SimulatedTerm(reference.term, {panel.x.column}).is_binned();
     if (kind_ != plot::Kind::polar || panel.x.column != "theta_i" || !lobe)
       file_.fail(at, "accepted: in a polar plot over theta_i, \"brdf_cos\" simulated by \"surface\"");
     const Expression& first = panel.series.at(0).value;

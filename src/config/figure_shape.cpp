@@ -35,19 +35,45 @@ ShapePtr for_each() {
   return either({one, array(one, 1, 8)});
 }
 
+ShapePtr kinds() {
+  std::vector<std::string> names;
+  for (const plot::PanelKind& kind : plot::panel_kinds) names.emplace_back(kind.name);
+  return choice(names);
+}
+
 ShapePtr channel() { return choice(plot::channel_names()); }
 
 ShapePtr material_or_name() { return either({material_shape(false), text()}); }
 
 ShapePtr expression();
 
+/// "NAME: what is told of it; ..." of every source.
+template <class Told>
+std::string of_each_source(const Told& told) {
+  std::string out;
+  for (const auto* source : plot::simulation_sources())
+    out += (out.empty() ? "" : "; ") + source->name() + ": " + told(*source);
+  return out;
+}
+
+std::string source_docs() {
+  return of_each_source([](const plot::SimulationSource& source) { return source.doc(); });
+}
+
+std::string source_quantities() {
+  return of_each_source([](const plot::SimulationSource& source) {
+    std::string names;
+    for (const std::string& name : source.quantities()) names += (names.empty() ? "" : ", ") + name;
+    return names;
+  });
+}
+
 ShapePtr simulate() {
   std::vector<std::string> sources;
   for (const auto* source : plot::simulation_sources()) sources.push_back(source->name());
   return named("simulate", [sources] {
     return object(
-        {{"source", choice(sources), true,
-          "smith_walk: the random walk on Smith's surface; surface: rays on random surfaces"},
+        {{"source", choice(sources), true, source_docs()},
          {"bounces", choice({"1", "2", "3", "4", "2+", "all"}), false, "of which bounces; default all"},
          {"facets", choice({"conductor", "dielectric", "diffuse"}), false,
           "smith_walk: what a facet does with light; dielectric: what is not reflected is refracted; diffuse, "
@@ -65,9 +91,7 @@ ShapePtr simulate() {
 
 std::vector<Field> expression_fields() {
   return {{"quantity", text(), false, "what is evaluated: see brdfplot list quantities"},
-          {"simulate", simulate(), false,
-           "the quantity is simulated, with its standard error; smith_walk: brdf_cos, albedo, transmittance, "
-           "mean_fresnel; surface: brdf_cos, albedo, g1, g2, direction_factor"},
+          {"simulate", simulate(), false, "the quantity is simulated, with its standard error; " + source_quantities()},
           {"ratio", array(expression(), 2, 2), false, "first over second"},
           {"difference", array(expression(), 2, 2), false, "first minus second"},
           {"absolute", expression(), false, "absolute value"},
@@ -119,7 +143,7 @@ ShapePtr panel() {
 ShapePtr figure_shape() {
   return object(
       {{"id", file_stem(), true, "name of its files"},
-       {"kind", choice({"lines", "polar", "heatmap", "profile"}), true, "how it is drawn"},
+       {"kind", kinds(), true, "how it is drawn"},
        {"title", text(), true, "above the figure"},
        {"caption", text(), true, "what it shows, with equation and parameters"},
        {"columns", whole_number(1, 8), false, "panels stand in rows of so many; default 1"},

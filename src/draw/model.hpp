@@ -2,19 +2,14 @@
 /// A figure as data: what the writers (SVG, CSV, HTML) draw. It knows nothing of materials or JSON.
 #pragma once
 
+#include "draw/kinds.hpp"
+
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace brdfplot::plot {
-
-enum class Kind {
-  lines,   ///< cartesian curves, y against x
-  polar,   ///< lobes in the plane of incidence: radius y at the signed angle x from the normal
-  heatmap, ///< a value over two swept variables, with a colour bar
-  profile, ///< a microsurface in profile, height y at x on one scale, with directions and rays
-};
 
 enum class Scale { linear, logarithmic };
 

@@ -2,7 +2,8 @@
 /// Fresnel reflectance of a microfacet: `reflectances(c, channel, f, n)` sets f to that of one channel at n cosines c
 /// in [0, 1] between direction and facet normal; `mean(channel)`, where there is a closed form, is mean_fresnel(). The
 /// list of types is at the end. A type that is not smooth, or nearly so, declares where (`critical_cosine`), so that
-/// integrals can be cut there.
+/// integrals can be cut there. One that refracts what it does not reflect declares `relative_index(channel)`, and one
+/// with F = 1 `reflects_all`.
 #pragma once
 
 #include "models/parameters.hpp"
@@ -16,6 +17,8 @@ namespace brdfplot {
 
 /// F = 1.
 struct NoFresnel {
+  static constexpr bool reflects_all = true;
+
   static ModelSpec spec() {
     return {.type = "none", .doc = "a perfect mirror, F = 1", .source = "Heitz 2014, section 3.5"};
   }
@@ -67,6 +70,8 @@ struct DielectricFresnel {
   static DielectricFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
   void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
+  /// Light that is not reflected is refracted, and from beneath F is dielectric_reflectance() at 1 / relative_index.
+  double relative_index(std::size_t channel) const { return eta[channel]; }
   /// The cosine up to which reflection is total, sqrt(1 - eta^2) of eta < 1: F falls from 1 like a root there.
   std::optional<double> critical_cosine(std::size_t channel) const;
 };

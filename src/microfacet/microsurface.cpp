@@ -7,8 +7,14 @@ namespace brdfplot {
 namespace {
 
 std::string default_shadowing(const Masking& masking) {
-  if (std::holds_alternative<VCavity>(masking)) return "minimum";
-  return std::visit([](const auto& m) { return m.has_lambda; }, masking) ? "height_correlated" : "separable";
+  return std::visit(
+      []<class M>(const M& m) -> std::string {
+        if constexpr (requires { M::default_shadowing; })
+          return M::default_shadowing;
+        else
+          return m.has_lambda ? "height_correlated" : "separable";
+      },
+      masking);
 }
 
 /// A published fit is for one distribution alone.
@@ -36,8 +42,15 @@ bool has_infinite_mean_slope(const D& distribution) {
 }
 
 void require_finite_lambda(const Microsurface& surface) {
-  const auto* smith = std::get_if<Smith>(&surface.masking);
-  if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return;
+  const bool takes_lambda = std::visit(
+      [](const auto& m) {
+        if constexpr (requires { m.takes_lambda_of_distribution(); })
+          return m.takes_lambda_of_distribution();
+        else
+          return false;
+      },
+      surface.masking);
+  if (!takes_lambda) return;
   if (std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, surface.distribution))
     throw MaterialError("/masking/type", "\"smith\" has an infinite Lambda with this distribution, whose mean slope is "
                                          "infinite (\"oren_nayar\"); accepted with any: v_cavity");

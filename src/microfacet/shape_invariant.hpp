@@ -16,7 +16,9 @@ namespace brdfplot {
 /// - `double scaled_density(double n2, double z2)`: density(n2 / z2) / z2^2, for z2 -> 0 as finite as D is;
 /// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity];
 /// - where there are kernels for it: `masked_areas` and `densities`, the same over arrays, and `kernel`, its name
-/// there.
+/// there;
+/// - where random microsurfaces have these slopes: `simulated_surface`, their type (simulation/surface.hpp), and
+/// `sample_visible_slope`, for random walks (microfacet/visible_normals.hpp).
 /// The functions of a shape without parameters are static, and the shape takes no room.
 template <class Shape>
 struct ShapeInvariant {

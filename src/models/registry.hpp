@@ -5,6 +5,7 @@
 #include "models/parameters.hpp"
 
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -25,6 +26,24 @@ inline std::vector<std::string> names_of(const std::vector<ModelSpec>& specs) {
   std::vector<std::string> names;
   for (const auto& spec : specs) names.push_back(spec.type);
   return names;
+}
+
+/// "a, b and c": the types of the list for whose alternatives `holds`, a generic lambda over std::type_identity, is
+/// true. For errors that tell which models declare what is needed.
+template <class List, class Predicate>
+std::string types_that(const Predicate& holds) {
+  std::vector<std::string> types;
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    const auto add = [&]<class Model>(std::type_identity<Model> model) {
+      if (holds(model)) types.push_back(Model::spec().type);
+    };
+    (add(std::type_identity<std::variant_alternative_t<I, List>>{}), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<List>>{});
+  std::string text;
+  for (std::size_t k = 0; k < types.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == types.size() ? " and " : ", ") + types[k];
+  return text;
 }
 
 /// A model, or what is wrong with it, as one of the list.

@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 #include "models/registry.hpp"
+#include "simulation/measures.hpp"
 #include "simulation/surface.hpp"
 
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace {
 
 const MeasureSpec& spec_of(const MeasureDescription& measure, const std::string& pointer) {
   std::vector<std::string> names;
-  for (const MeasureSpec& spec : measure_specs()) {
-    if (spec.type == measure.type) return spec;
-    names.push_back(spec.type);
+  for (const MeasureType& type : measure_types()) {
+    if (type.spec.type == measure.type) return type.spec;
+    names.push_back(type.spec.type);
   }
   throw SceneError(pointer + "/type", unknown_name("type", measure.type, names));
 }
@@ -40,7 +41,7 @@ void check_measure(const MeasureDescription& measure, const std::string& pointer
   check_angles(measure.theta_i, quarter, pointer + "/theta_i");
   check_angles(measure.phi_o, turn, pointer + "/phi_o");
   check_angles(measure.delta_phi, turn, pointer + "/delta_phi");
-  if (spec.type == "g2" && measure.delta_phi.empty())
+  if (std::ranges::find(spec.keys, "delta_phi") != spec.keys.end() && measure.delta_phi.empty())
     throw SceneError(pointer, "\"delta_phi\" is missing: azimuths between omega_o and omega_i; accepted: angles");
 }
 
@@ -76,40 +77,10 @@ Values completed(const ModelChoice& choice) {
 
 } // namespace
 
-const std::vector<MeasureSpec>& measure_specs() {
-  static const std::vector<MeasureSpec> all = {
-      {"g1",
-       "masking: the share of the facets facing omega_o that it sees, by plane and by projected area",
-       "Heitz 2014, Eqs. 11-14",
-       {},
-       0},
-      {"g1_by_normal",
-       "masking by the inclination of the facet towards the viewer",
-       "Heitz 2014, Eq. 40",
-       {"bins"},
-       36},
-      {"g2",
-       "masking and shadowing, and the lambda that it implies",
-       "Heitz 2014, Eq. 101",
-       {"theta_i", "delta_phi"},
-       0},
-      {"visible_normals",
-       "distribution of visible normals in bins of the hemisphere",
-       "Heitz 2014, Eq. 16",
-       {"bins"},
-       15},
-      {"lobe",
-       "BRDF times cos theta_i in the plane of incidence, of single and of multiple scattering, F = 1",
-       "Heitz 2014, Fig. 11",
-       {"bins", "bounces"},
-       90},
-      {"hemisphere", "the same in bins of the hemisphere", "Heitz 2014, Fig. 11", {"bins", "bounces"}, 15},
-      {"bounces",
-       "energy by the number of bounces; row 0: what has not left",
-       "Heitz 2014, section 7",
-       {"bounces"},
-       0}};
-  return all;
+std::vector<MeasureSpec> measure_specs() {
+  std::vector<MeasureSpec> specs;
+  for (const MeasureType& type : measure_types()) specs.push_back(type.spec);
+  return specs;
 }
 
 Surface build_surface(const ModelChoice& choice) {

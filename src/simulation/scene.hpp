@@ -14,7 +14,7 @@ namespace brdfplot::simulation {
 /// One thing measured. Which of the keys a type reads, and what its table holds, is told by `measure_specs()`.
 struct MeasureDescription {
   std::string id;                  ///< names its table and files
-  std::string type;                ///< g1, g1_by_normal, g2, visible_normals, lobe, hemisphere, bounces
+  std::string type;                ///< one of measure_specs()
   std::vector<double> theta_o{0};  ///< rad
   std::vector<double> phi_o{0};    ///< rad
   std::vector<double> theta_i{};   ///< g2 (rad); empty: theta_o
@@ -59,10 +59,11 @@ struct MeasureSpec {
   std::string type;
   std::string doc;
   std::string source;
-  std::vector<std::string> keys; ///< of MeasureDescription beside id, type and rays
-  int bins = 0;                  ///< default
+  std::vector<std::string> keys{}; ///< of MeasureDescription beside id, type, theta_o, phi_o and rays
+  int bins = 0;                    ///< default
 };
 
-const std::vector<MeasureSpec>& measure_specs();
+/// Of the measures in their order (simulation/measures.hpp).
+std::vector<MeasureSpec> measure_specs();
 
 } // namespace brdfplot::simulation

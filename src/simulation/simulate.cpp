@@ -3,7 +3,7 @@
 #include "base/errors.hpp"
 #include "base/interruptible.hpp"
 #include "base/memory.hpp"
-#include "simulation/measures/measure.hpp"
+#include "simulation/measures.hpp"
 #include "simulation/measures/slope_statistics.hpp"
 #include "simulation/streams.hpp"
 
@@ -93,10 +93,15 @@ public:
     std::optional<Microsurface> smith;
     if (target) smith = build_microsurface({.distribution = *target, .masking = {.type = "smith"}, .shadowing = {}});
     for (MeasureDescription description : scene.measures) {
-      for (const MeasureSpec& spec : measure_specs())
-        if (spec.type == description.type && description.bins == 0) description.bins = spec.bins;
-      Gathered one{make_measure(description, smith), {}, description.rays};
-      const bool given = std::holds_alternative<HeightMapSurface>(surface_);
+      const auto type = std::ranges::find_if(
+          measure_types(), [&](const MeasureType& known) { return known.spec.type == description.type; });
+      if (description.bins == 0) description.bins = type->spec.bins;
+      Gathered one{type->make(description, smith), {}, description.rays};
+      const bool given = std::visit(
+          []<class S>(const S&) {
+            return requires { S::is_given; };
+          },
+          surface_);
       one.tallies.assign(one.measure->tasks(), Tally(one.measure->width(), given ? Drawn::rays : Drawn::surfaces,
                                                      one.measure->fixed_by_surface()));
       gathered_.push_back(std::move(one));

@@ -4,10 +4,13 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "microfacet/visible_normals.hpp"
+#include "models/registry.hpp"
 #include "simulation/smith_profile.hpp"
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <string>
 
 namespace brdfplot::simulation {
 
@@ -55,6 +58,18 @@ struct FacetsOf {
   bool diffuse() const { return fresnel == nullptr; }
 };
 
+/// The relative index of what refracts, none of what does not (fresnel.hpp).
+std::optional<double> relative_index_of(const Fresnel& fresnel, std::size_t channel) {
+  return std::visit(
+      [channel](const auto& f) -> std::optional<double> {
+        if constexpr (requires { f.relative_index(channel); })
+          return f.relative_index(channel);
+        else
+          return std::nullopt;
+      },
+      fresnel);
+}
+
 /// \throws InputError where a material has no such facets, or others beside.
 FacetsOf facets_of(const Material& material) {
   const WeightedTerm& term = material.terms.front();
@@ -80,7 +95,7 @@ public:
   Walker(const Material& material, Facets facets, const WalkRequest& request)
       : of_(facets_of(material)), profile_{of_.surface->slopes()}, diffuse_(of_.diffuse()), facets_(facets),
         request_(request) {
-    if (facets == Facets::dielectric) eta_ = std::get<DielectricFresnel>(*of_.fresnel).eta[request.channel];
+    if (facets == Facets::dielectric) eta_ = relative_index_of(*of_.fresnel, request.channel).value();
     for (const Direction& omega : request.omega_i) {
       const bool outside = of_.surface->slopes().project(omega).c > 0;
       const Direction up = outside ? omega : negated(omega);
@@ -248,20 +263,27 @@ void check_walk(const Material& material, Facets facets, const Direction& omega_
   const Distribution& distribution = of.surface->distribution;
   if (!(of.surface->slopes().project(omega_o).c > 0))
     throw InputError(material.name, "omega_o is below the horizon of the mesosurface");
-  if (!std::holds_alternative<Beckmann>(distribution) && !std::holds_alternative<Ggx>(distribution))
-    throw InputError(material.name, "the walk on Smith's surface knows the distributions beckmann and ggx");
+  if (!std::visit([]<class D>(const D&) { return SamplesVisibleNormals<D>; }, distribution))
+    throw InputError(material.name, "the walk on Smith's surface knows the distributions " +
+                                        types_that<Distribution>(
+                                            []<class D>(std::type_identity<D>) { return SamplesVisibleNormals<D>; }));
   if (facets == Facets::dielectric && of.diffuse())
     throw InputError(material.name,
                      "diffuse facets refract nothing; accepted with \"dielectric\": \"facet\": \"specular\"");
-  if (facets == Facets::dielectric && !std::holds_alternative<DielectricFresnel>(*of.fresnel))
+  if (facets == Facets::dielectric && !relative_index_of(*of.fresnel, 0))
     throw InputError(material.name, "dielectric facets need the Fresnel term \"dielectric\"");
 }
 
 WalkResult walk(const Material& material, Facets facets, const WalkRequest& request) {
   check_walk(material, facets, request.omega_o);
-  return std::holds_alternative<Beckmann>(material.surface().distribution)
-             ? run_all<BeckmannShape>(material, facets, request)
-             : run_all<GgxShape>(material, facets, request);
+  return std::visit(
+      [&]<class D>(const D&) -> WalkResult {
+        if constexpr (SamplesVisibleNormals<D>)
+          return run_all<typename D::UnitShape>(material, facets, request);
+        else
+          return {}; // refused by check_walk()
+      },
+      material.surface().distribution);
 }
 
 } // namespace brdfplot::simulation

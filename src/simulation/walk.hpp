@@ -25,7 +25,7 @@ namespace brdfplot::simulation {
 /// all light by Lambert's law.
 enum class Facets {
   conductor,  ///< absorbs it; reflection is weighted by the material's Fresnel term
-  dielectric, ///< refracts it; the Fresnel term must be `dielectric`
+  dielectric, ///< refracts it; the Fresnel term must have a relative index: `dielectric`
 };
 
 /// Bounces are counted one by one up to here, the rest together.
@@ -69,9 +69,9 @@ inline constexpr int most_bounces = 10000;
 void check_walk(const Material& material, Facets facets, const Direction& omega_o);
 
 /// Walks. The lobe is estimated at every vertex (phase function times G1), so that it is smooth: its values in
-/// different directions come from the same walks. Domain: distributions `beckmann` and `ggx`, with any roughness,
-/// correlation and mean slope; omega_o above the horizon of the mesosurface; mirrors, and diffuse facets. \throws
-/// InputError for others, and where `facets` do not go with the material's; Interrupted.
+/// different directions come from the same walks. Domain: distributions that sample their visible normals (`beckmann`
+/// and `ggx`), with any roughness, correlation and mean slope; omega_o above the horizon of the mesosurface; mirrors,
+/// and diffuse facets. \throws InputError for others, and where `facets` do not go with the material's; Interrupted.
 WalkResult walk(const Material& material, Facets facets, const WalkRequest& request);
 
 } // namespace brdfplot::simulation

@@ -1,8 +1,15 @@
 #include "simulation/scenes.hpp"
 
+#include "microfacet/microsurface.hpp"
+#include "models/registry.hpp"
+#include "simulation/surface.hpp"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <type_traits>
 
 using namespace test;
 
@@ -35,7 +42,28 @@ void check_histogram(const Table& table, std::size_t row) {
   CHECK(at(table, row, "independent_slopes") > 1000);
 }
 
+template <class List>
+bool is_listed(const std::string& type) {
+  const auto names = names_of(specs_of<List>());
+  return std::ranges::find(names, type) != names.end();
+}
+
 } // namespace
+
+TEST_CASE("surfaces and shadowing that models declare are listed") {
+  const auto check_masking = []<class M>(std::type_identity<M>) {
+    if constexpr (requires { M::exact_for_surface; }) CHECK(is_listed<simulation::Surface>(M::exact_for_surface));
+    if constexpr (requires { M::default_shadowing; }) CHECK(is_listed<Shadowing>(M::default_shadowing));
+    return requires { M::exact_for_surface; };
+  };
+  CHECK(types_that<Masking>(check_masking) == "v_cavity");
+  const auto check_distribution = []<class D>(std::type_identity<D>) {
+    if constexpr (requires { D::UnitShape::simulated_surface; })
+      CHECK(is_listed<simulation::Surface>(D::UnitShape::simulated_surface));
+    return requires { D::UnitShape::simulated_surface; };
+  };
+  CHECK(types_that<Distribution>(check_distribution) == "beckmann and ggx");
+}
 
 TEST_CASE("a Gaussian surface has the slopes that are asked, on facets") {
   for (const double alpha : {0.1, 0.6, 1.0})

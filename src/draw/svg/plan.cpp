@@ -121,18 +121,26 @@ double place_panels(FigurePlan& plan, double top) {
 
 } // namespace
 
+void set_lines_range(PanelPlan& panel, const Extent& data, int) { panel.y = value_range(panel.panel->y, data); }
+
+void set_polar_range(PanelPlan& panel, const Extent& data, int columns) {
+  panel.y = radius_range(panel.panel->y, data, columns > 3 ? 5 : 8);
+}
+
+void set_heatmap_range(PanelPlan& panel, const Extent& data, int) {
+  panel.value = colour_range(panel.panel->value.value_or(Axis{}), data);
+}
+
+void set_no_range(PanelPlan&, const Extent&, int) {}
+
 void plan_ranges(const Figure& figure, FigurePlan& plan) {
   std::vector<Extent> groups(plan.panels.size());
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
     groups[share_group(figure, i, plan.columns)].add(value_extent(figure.panels[i], figure.kind));
   }
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    const auto& panel = figure.panels[i];
-    const auto& extent = groups[share_group(figure, i, plan.columns)];
-    plan_swept(panel, figure.kind, plan.panels[i]);
-    if (figure.kind == Kind::lines) plan.panels[i].y = value_range(panel.y, extent);
-    if (figure.kind == Kind::polar) plan.panels[i].y = radius_range(panel.y, extent, plan.columns > 3 ? 5 : 8);
-    if (figure.kind == Kind::heatmap) plan.panels[i].value = colour_range(panel.value.value_or(Axis{}), extent);
+    plan_swept(figure.panels[i], figure.kind, plan.panels[i]);
+    kind_of(figure.kind).set_range(plan.panels[i], groups[share_group(figure, i, plan.columns)], plan.columns);
   }
 }
 
@@ -153,13 +161,7 @@ FigurePlan plan_figure(const Figure& figure) {
     panel.looks = legend.looks[i];
   }
   plan_ranges(figure, plan);
-  if (figure.kind == Kind::polar) {
-    measure_polar(figure, plan, width - (plan.columns - 1) * column_gap);
-  } else if (figure.kind == Kind::profile) {
-    measure_profile(figure, plan, width - (plan.columns - 1) * column_gap);
-  } else {
-    measure_cartesian(figure, plan, width - (plan.columns - 1) * column_gap);
-  }
+  kind_of(figure.kind).measure(figure, plan, width - (plan.columns - 1) * column_gap);
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
     throw_if_interrupted();
     auto& panel = plan.panels[i];

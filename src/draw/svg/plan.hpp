@@ -79,24 +79,10 @@ FigurePlan plan_figure(const Figure& figure);
 /// Sets the ranges of all panels, shared as the figure asks.
 void plan_ranges(const Figure& figure, FigurePlan& plan);
 
-/// Sets ticks, axis titles, insets and sizes of plots with straight axes in a grid of the given width.
-void measure_cartesian(const Figure& figure, FigurePlan& plan, double width);
-
-/// The same for polar plots.
-void measure_polar(const Figure& figure, FigurePlan& plan, double width);
-
-/// The same for profiles, whose scale is that of both axes; Share other than none: that of all panels.
-void measure_profile(const Figure& figure, FigurePlan& plan, double width);
-
 /// Grid lines, under the data.
 void draw_grid(SvgWriter& svg, const PanelPlan& plan);
 /// Frame, ticks, their labels and the axis titles, over the data.
 void draw_axes(SvgWriter& svg, const PanelPlan& plan);
-
-void draw_lines(SvgWriter& svg, const PanelPlan& plan);
-void draw_polar(SvgWriter& svg, const PanelPlan& plan);
-void draw_heatmap(SvgWriter& svg, const PanelPlan& plan);
-void draw_profile(SvgWriter& svg, const PanelPlan& plan);
 
 /// The ends of the bars of a simulated series: two standard errors above and below its values.
 std::vector<double> upper_bounds(const Series& series);

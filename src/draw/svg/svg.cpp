@@ -72,12 +72,7 @@ std::string to_svg(const Figure& figure) {
     throw_if_interrupted();
     svg.open_group("bp-panel");
     draw_head(svg, panel);
-    switch (figure.kind) {
-    case Kind::lines: draw_lines(svg, panel); break;
-    case Kind::polar: draw_polar(svg, panel); break;
-    case Kind::heatmap: draw_heatmap(svg, panel); break;
-    case Kind::profile: draw_profile(svg, panel); break;
-    }
+    kind_of(figure.kind).draw(svg, panel);
     svg.close_group();
   }
   out += "</svg>\n";

@@ -19,11 +19,6 @@ const SimulationSource& source_named(const std::string& name) {
 
 } // namespace
 
-const std::vector<const SimulationSource*>& simulation_sources() {
-  static const std::vector<const SimulationSource*> all = {&smith_walk_source(), &surface_source()};
-  return all;
-}
-
 SimulatedTerm::SimulatedTerm(const Term& term, std::vector<std::string> swept)
     : term_(term), configuration_(term, std::move(swept)), source_(&source_named(term.simulate.value().source)) {
   const auto names = source_->quantities();

@@ -1,5 +1,6 @@
 /// \file
-/// Terms of a figure that are simulated. Each source of simulations is a file and a line in simulation_sources().
+/// Terms of a figure that are simulated. A new source of simulations is one file and its name at the end of this one,
+/// declared and listed.
 #pragma once
 
 #include "figure/series/defining_text.hpp"
@@ -34,8 +35,6 @@ public:
   /// Whether the points are the middles of bins, rather than places from end to end.
   virtual bool is_binned(const Term& term) const = 0;
 };
-
-const std::vector<const SimulationSource*>& simulation_sources();
 
 /// A simulated term over the values of a swept variable.
 class SimulatedTerm {
@@ -77,5 +76,10 @@ const SimulationSource& smith_walk_source();
 /// Rays on random surfaces: brdf_cos in the plane of incidence, albedo, g1, g2, and direction_factor, the lambda of Eq.
 /// 101 of Heitz 2014 that the measured G1 and G2 imply (simulation/simulate.hpp).
 const SimulationSource& surface_source();
+
+inline const std::vector<const SimulationSource*>& simulation_sources() {
+  static const std::vector<const SimulationSource*> all = {&smith_walk_source(), &surface_source()};
+  return all;
+}
 
 } // namespace brdfplot::plot

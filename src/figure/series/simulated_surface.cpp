@@ -1,7 +1,10 @@
 #include "figure/series/simulated.hpp"
 
+#include "models/registry.hpp"
 #include "simulation/simulate.hpp"
+#include "simulation/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -54,22 +57,44 @@ double signed_theta(const Direction& plane, const Direction& i) {
   return sign * theta_of(i);
 }
 
-/// The surface of a material: V-cavities for their masking, else one of Gaussian heights, or as near to GGX as a
-/// surface of heights comes.
+template <class D>
+constexpr bool is_simulated = requires {
+  D::UnitShape::simulated_surface;
+};
+
+/// The type of surface of a material: that for which its masking is exact, else that of its distribution.
+std::string surface_type_of(const Microsurface& surface) {
+  return std::visit(
+      []<class M, class D>(const M&, const D&) -> std::string {
+        if constexpr (requires { M::exact_for_surface; })
+          return M::exact_for_surface;
+        else if constexpr (is_simulated<D>)
+          return D::UnitShape::simulated_surface;
+        else
+          return {}; // refused by check()
+      },
+      surface.masking, surface.distribution);
+}
+
+bool has_parameter(const std::string& surface_type, const std::string& key) {
+  const auto& specs = specs_of<simulation::Surface>();
+  const auto spec = std::ranges::find(specs, surface_type, &ModelSpec::type);
+  return spec != specs.end() && std::ranges::find(spec->parameters, key, &ParameterSpec::key) != spec->parameters.end();
+}
+
+/// The surface of a material. `cells` along each side where it is a mesh; the material's distribution of slopes where
+/// the surface can have several.
 ModelChoice surface_of(const Configuration::Ready& at, int cells) {
-  const bool ggx = std::holds_alternative<Ggx>(at.material.surface().distribution);
-  const SlopeMap& slopes = at.material.surface().slopes();
-  const bool v_cavity = std::holds_alternative<VCavity>(at.material.surface().masking);
-  ModelChoice surface{.type = v_cavity ? "v_cavity" : ggx ? "ggx" : "gaussian", .values = {}};
+  const Microsurface& of = at.material.surface();
+  const SlopeMap& slopes = of.slopes();
+  ModelChoice surface{.type = surface_type_of(of), .values = {}};
   surface.values.set("alpha_x", slopes.alpha_x);
   surface.values.set("alpha_y", slopes.alpha_y);
   surface.values.set("correlation", slopes.correlation);
   surface.values.set("mean_slope", Vec2{slopes.mean_x, slopes.mean_y});
-  if (v_cavity) {
-    surface.values.set("slopes", std::string(ggx ? "ggx" : "beckmann"));
-  } else {
-    surface.values.set("samples", static_cast<double>(cells));
-  }
+  if (has_parameter(surface.type, "slopes"))
+    surface.values.set("slopes", std::visit([]<class D>(const D&) { return D::spec().type; }, of.distribution));
+  if (has_parameter(surface.type, "samples")) surface.values.set("samples", static_cast<double>(cells));
   return surface;
 }
 
@@ -91,14 +116,20 @@ public:
     const bool pair = is_g2(term) || is_lobe(term);
     if (pair && !at.i) throw InputError("", "this simulation needs theta_i");
     if (is_lobe(term) && !in_plane(at)) throw InputError("", "this simulation needs omega_i in the plane of incidence");
-    if (!std::holds_alternative<Beckmann>(at.material.surface().distribution) &&
-        !std::holds_alternative<Ggx>(at.material.surface().distribution))
-      throw InputError("", "surfaces are simulated for the distributions beckmann and ggx");
+    if (!std::visit([]<class D>(const D&) { return is_simulated<D>; }, at.material.surface().distribution))
+      throw InputError("",
+                       "surfaces are simulated for the distributions " +
+                           types_that<Distribution>([]<class D>(std::type_identity<D>) { return is_simulated<D>; }));
     const WeightedTerm& only = at.material.terms.front();
     if (at.material.terms.size() > 1 || only.fresnel() == nullptr)
       throw InputError("", "surfaces are simulated with facets that are mirrors; found \"" +
                                at.description.terms.back().type + "\", accepted: one term, mirror");
-    if (!std::holds_alternative<NoFresnel>(*only.fresnel()) || only.weight.value != Rgb{1, 1, 1})
+    const bool all = std::visit(
+        []<class F>(const F&) {
+          return requires { F::reflects_all; };
+        },
+        *only.fresnel());
+    if (!all || only.weight.value != Rgb{1, 1, 1})
       throw InputError("", "surfaces are simulated without a Fresnel term and without a weight");
     simulation::check(scene(term, {at}, 0));
   }

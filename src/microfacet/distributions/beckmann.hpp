@@ -4,6 +4,7 @@
 
 #include "microfacet/beckmann_lambda.hpp"
 #include "microfacet/shape_invariant.hpp"
+#include "microfacet/visible_slopes.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -35,6 +36,16 @@ struct BeckmannShape {
   }
   static void densities(const kernels::Stretch& stretch, const kernels::Vectors<double>& m, double* d, std::size_t n) {
     kernels::d_beckmann(stretch, m, d, n);
+  }
+
+  static constexpr const char* simulated_surface = "gaussian";
+
+  /// Slopes of a Gaussian are independent along any two axes.
+  template <class Generator>
+  static UnitSlope sample_visible_slope(double c, double s, Generator& random) {
+    const double radius = std::sqrt(-std::log(random.uniform()));
+    const double across = radius * std::cos(2 * std::numbers::pi * random.uniform());
+    return {sample_visible_gaussian(c / s, random), across};
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "microfacet/shape_invariant.hpp"
+#include "microfacet/visible_slopes.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -32,6 +33,18 @@ struct GgxShape {
   }
   static void densities(const kernels::Stretch& stretch, const kernels::Vectors<double>& m, double* d, std::size_t n) {
     kernels::d_ggx(stretch, m, d, n);
+  }
+
+  static constexpr const char* simulated_surface = "ggx";
+
+  /// Reflected at its visible normals, a direction is spread evenly over a spherical cap (Dupuy and Benyoub 2023).
+  template <class Generator>
+  static UnitSlope sample_visible_slope(double c, double s, Generator& random) {
+    const double phi = 2 * std::numbers::pi * random.uniform();
+    const double z = 1 - random.uniform() * (1 + c);
+    const double radius = std::sqrt(std::fmax(0.0, (1 - z) * (1 + z)));
+    const double h_z = z + c;
+    return {(radius * std::cos(phi) + s) / h_z, radius * std::sin(phi) / h_z};
   }
 };
 

@@ -29,6 +29,7 @@ struct Smith {
     return {name == "beckmann" ? LambdaOf::beckmann : name == "ggx" ? LambdaOf::ggx : LambdaOf::itself};
   }
   static constexpr bool has_lambda = true;
+  bool takes_lambda_of_distribution() const { return lambda_of == LambdaOf::itself; }
 
   /// c Lambda over arrays.
   template <class D>

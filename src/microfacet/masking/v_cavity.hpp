@@ -18,6 +18,8 @@ struct VCavity {
   static VCavity from(const Values&) { return {}; }
   static constexpr bool has_lambda = false;
   static constexpr bool kink_is_line = true;
+  static constexpr const char* default_shadowing = "minimum";
+  static constexpr const char* exact_for_surface = "v_cavity";
 
   /// c / G1, without the division of c by a vanishing o.m. Domain o.m > 0, z_m > 0.
   double unmasked_area(const Projection& p, double o_dot_m, double z_m) const {

@@ -1,8 +1,8 @@
 /// \file
 /// Lobes of the light that mirror facets reflect, and how it is shared among the bounces.
 
+#include "simulation/measures.hpp"
 #include "simulation/measures/hemisphere_bins.hpp"
-#include "simulation/measures/measure.hpp"
 #include "simulation/measures/paths.hpp"
 
 #include <cmath>
@@ -139,16 +139,28 @@ public:
 
 } // namespace
 
-std::unique_ptr<Measure> make_lobe(const MeasureDescription& description) {
-  return std::make_unique<Lobe>(description);
+MeasureType lobe_measure() {
+  return measure_type<Lobe>(
+      {.type = "lobe",
+       .doc = "BRDF times cos theta_i in the plane of incidence, of single and of multiple scattering, F = 1",
+       .source = "Heitz 2014, Fig. 11",
+       .keys = {"bins", "bounces"},
+       .bins = 90});
 }
 
-std::unique_ptr<Measure> make_hemisphere(const MeasureDescription& description) {
-  return std::make_unique<Hemisphere>(description);
+MeasureType hemisphere_measure() {
+  return measure_type<Hemisphere>({.type = "hemisphere",
+                                   .doc = "the same in bins of the hemisphere",
+                                   .source = "Heitz 2014, Fig. 11",
+                                   .keys = {"bins", "bounces"},
+                                   .bins = 15});
 }
 
-std::unique_ptr<Measure> make_bounces(const MeasureDescription& description) {
-  return std::make_unique<Bounces>(description);
+MeasureType bounces_measure() {
+  return measure_type<Bounces>({.type = "bounces",
+                                .doc = "energy by the number of bounces; row 0: what has not left",
+                                .source = "Heitz 2014, section 7",
+                                .keys = {"bounces"}});
 }
 
 } // namespace brdfplot::simulation

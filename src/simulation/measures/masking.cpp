@@ -2,7 +2,7 @@
 /// G1 on average and by normal.
 
 #include "brdf/surface_quantities.hpp"
-#include "simulation/measures/measure.hpp"
+#include "simulation/measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,13 +141,19 @@ private:
 
 } // namespace
 
-std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Microsurface>& smith) {
-  return std::make_unique<G1>(description, smith);
+MeasureType g1_measure() {
+  return measure_type<G1>(
+      {.type = "g1",
+       .doc = "masking: the share of the facets facing omega_o that it sees, by plane and by projected area",
+       .source = "Heitz 2014, Eqs. 11-14"});
 }
 
-std::unique_ptr<Measure> make_g1_by_normal(const MeasureDescription& description,
-                                           const std::optional<Microsurface>& smith) {
-  return std::make_unique<G1ByNormal>(description, smith);
+MeasureType g1_by_normal_measure() {
+  return measure_type<G1ByNormal>({.type = "g1_by_normal",
+                                   .doc = "masking by the inclination of the facet towards the viewer",
+                                   .source = "Heitz 2014, Eq. 40",
+                                   .keys = {"bins"},
+                                   .bins = 36});
 }
 
 } // namespace brdfplot::simulation

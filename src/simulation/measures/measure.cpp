@@ -30,14 +30,4 @@ void Facing::trace(const Tracer& tracer, const Direction& direction, TraceCounts
   counts.coherent += points.size();
 }
 
-std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Microsurface>& smith) {
-  if (description.type == "g1") return make_g1(description, smith);
-  if (description.type == "g1_by_normal") return make_g1_by_normal(description, smith);
-  if (description.type == "g2") return make_g2(description);
-  if (description.type == "visible_normals") return make_visible_normals(description);
-  if (description.type == "lobe") return make_lobe(description);
-  if (description.type == "hemisphere") return make_hemisphere(description);
-  return make_bounces(description);
-}
-
 } // namespace brdfplot::simulation

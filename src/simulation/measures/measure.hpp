@@ -13,6 +13,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace brdfplot::simulation {
@@ -33,17 +35,25 @@ public:
   virtual Table tabulate(const std::vector<Tally>& tallies, bool complete) const = 0;
 };
 
-/// `smith` is the microsurface of the surface's distribution with Smith's masking; none where there is no distribution.
-std::unique_ptr<Measure> make_measure(const MeasureDescription& description, const std::optional<Microsurface>& smith);
+/// A type of measure. `smith` is the microsurface of the surface's distribution with Smith's masking; none where there
+/// is no distribution.
+struct MeasureType {
+  MeasureSpec spec;
+  std::unique_ptr<Measure> (*make)(const MeasureDescription& description, const std::optional<Microsurface>& smith);
+};
 
-std::unique_ptr<Measure> make_g1(const MeasureDescription& description, const std::optional<Microsurface>& smith);
-std::unique_ptr<Measure> make_g1_by_normal(const MeasureDescription& description,
-                                           const std::optional<Microsurface>& smith);
-std::unique_ptr<Measure> make_g2(const MeasureDescription& description);
-std::unique_ptr<Measure> make_visible_normals(const MeasureDescription& description);
-std::unique_ptr<Measure> make_lobe(const MeasureDescription& description);
-std::unique_ptr<Measure> make_hemisphere(const MeasureDescription& description);
-std::unique_ptr<Measure> make_bounces(const MeasureDescription& description);
+/// The type whose measure is the class M, made of the description alone or of it and `smith`.
+template <class M>
+MeasureType measure_type(MeasureSpec spec) {
+  return {
+      std::move(spec),
+      [](const MeasureDescription& description, const std::optional<Microsurface>& smith) -> std::unique_ptr<Measure> {
+        if constexpr (std::is_constructible_v<M, const MeasureDescription&, const std::optional<Microsurface>&>)
+          return std::make_unique<M>(description, smith);
+        else
+          return std::make_unique<M>(description);
+      }};
+}
 
 /// A direction to look from.
 struct View {

@@ -1,7 +1,7 @@
 /// \file
 /// G2 against the azimuth between the two directions, with the lambda that it implies.
 
-#include "simulation/measures/measure.hpp"
+#include "simulation/measures.hpp"
 
 #include <algorithm>
 
@@ -76,6 +76,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<Measure> make_g2(const MeasureDescription& description) { return std::make_unique<G2>(description); }
+MeasureType g2_measure() {
+  return measure_type<G2>({.type = "g2",
+                           .doc = "masking and shadowing, and the lambda that it implies",
+                           .source = "Heitz 2014, Eq. 101",
+                           .keys = {"theta_i", "delta_phi"}});
+}
 
 } // namespace brdfplot::simulation

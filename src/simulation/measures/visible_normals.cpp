@@ -1,8 +1,8 @@
 /// \file
 /// The distribution of visible normals, in bins of the hemisphere.
 
+#include "simulation/measures.hpp"
 #include "simulation/measures/hemisphere_bins.hpp"
-#include "simulation/measures/measure.hpp"
 
 namespace brdfplot::simulation {
 
@@ -54,8 +54,12 @@ private:
 
 } // namespace
 
-std::unique_ptr<Measure> make_visible_normals(const MeasureDescription& description) {
-  return std::make_unique<VisibleNormals>(description);
+MeasureType visible_normals_measure() {
+  return measure_type<VisibleNormals>({.type = "visible_normals",
+                                       .doc = "distribution of visible normals in bins of the hemisphere",
+                                       .source = "Heitz 2014, Eq. 16",
+                                       .keys = {"bins"},
+                                       .bins = 15});
 }
 
 } // namespace brdfplot::simulation

@@ -19,6 +19,8 @@ struct HeightMapSurface {
   double pitch = 1;
   bool mirror = false;
 
+  static constexpr bool is_given = true; ///< nothing of it is drawn
+
   static ModelSpec spec();
   static HeightMapSurface from(const Values& values);
   std::optional<ParameterError> problem() const { return std::nullopt; }
