@@ -35,7 +35,7 @@ ShapePtr for_each() {
   return either({one, array(one, 1, 8)});
 }
 
-ShapePtr kinds() {
+ShapePtr kind_of_panels() {
   std::vector<std::string> names;
   for (const plot::PanelKind& kind : plot::panel_kinds) names.emplace_back(kind.name);
   return choice(names);
@@ -143,7 +143,7 @@ ShapePtr panel() {
 ShapePtr figure_shape() {
   return object(
       {{"id", file_stem(), true, "name of its files"},
-       {"kind", kinds(), true, "how it is drawn"},
+       {"kind", kind_of_panels(), true, "how it is drawn"},
        {"title", text(), true, "above the figure"},
        {"caption", text(), true, "what it shows, with equation and parameters"},
        {"columns", whole_number(1, 8), false, "panels stand in rows of so many; default 1"},
