@@ -21,7 +21,7 @@ using namespace brdfplot;
 using std::numbers::inv_pi;
 using std::numbers::pi;
 
-constexpr std::size_t pairs = 1024;
+constexpr std::size_t pairs = 1000;
 const Rgb albedo{0.8, 0.5, 0.2}, f0{0.04, 0.05, 0.06};
 
 struct Pairs {
