@@ -71,8 +71,16 @@ public:
   void run() {
     for (std::size_t first = 0; first < batch_.n; first += PairBlock::capacity) {
       const std::size_t n = std::min(PairBlock::capacity, batch_.n - first);
-      for (std::size_t k = 0; k < block_count_; ++k)
-        set_directions(blocks_[k].work, n, batch_.o.from(first), batch_.i.from(first), batch_.m.from(first));
+      for (std::size_t k = 0; k < block_count_; ++k) {
+        SurfaceBlock& work = blocks_[k].work;
+        if (blocks_[k].term->surface() != nullptr) {
+          set_directions(work, n, batch_.o.from(first), batch_.i.from(first), batch_.m.from(first));
+          continue;
+        }
+        work.n = n; // no half vectors for what has no facets
+        work.o = batch_.o.from(first);
+        work.i = batch_.i.from(first);
+      }
       for (const Task& task : tasks_) write(task, first);
     }
   }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "math/direction.hpp"
+#include "math/kernels/flat.hpp"
+#include "models/parameters.hpp"
 
 namespace brdfplot {
 
@@ -16,11 +18,10 @@ namespace brdfplot {
 ///   qualitative     (C1 + 0.45 s / (s + 0.09) max(0, k) sin alpha tan beta) / pi
 enum class OrenNayarFit { full, direct, qualitative };
 
-/// With an albedo A, rho = (A once + A^2 twice) / pi: light that was reflected once, and twice.
-struct OrenNayarParts {
-  double once = 0, twice = 0;
-};
-OrenNayarParts oren_nayar_parts(OrenNayarFit fit, double sigma, const Direction& omega_o, const Direction& omega_i);
+/// The kernel that computes a fit, and its parameters. With an albedo A, rho = (A once + A^2 twice) / pi: light that
+/// was reflected once, and twice.
+kernels::FlatTerm oren_nayar_term(OrenNayarFit fit);
+kernels::FlatParameters oren_nayar_parameters(OrenNayarFit fit, double sigma, const Rgb& albedo);
 
 /// Value (1/sr) of albedo 1 at unit vectors above the horizon; 0 elsewhere. Reciprocal. Where both directions are
 /// grazing on one side it grows like tan beta; grazing on opposite sides, `direct` is negative for sigma > 2 / 3, as

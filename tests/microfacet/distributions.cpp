@@ -184,6 +184,16 @@ TEST_CASE("Phong by alpha is Phong by exponent") {
                  value_at_normal(material("phong", 0.3), Quantity::d, {0, 0, 1}, normal)) < 1e-13);
 }
 
+TEST_CASE("Phong by gloss is Phong by exponent, 1 to 8192") {
+  for (const auto& [gloss, exponent] : {std::pair(0.0, 1.0), std::pair(3.0 / 13, 8.0), std::pair(1.0, 8192.0)}) {
+    const Material by_gloss = build(distribution("phong", {{"gloss", gloss}}));
+    const Material by_exponent = build(distribution("phong", {{"exponent", exponent}}));
+    const Direction normal = from_angles(0.1, 0);
+    CHECK(relative(value_at_normal(by_gloss, Quantity::d, {0, 0, 1}, normal),
+                   value_at_normal(by_exponent, Quantity::d, {0, 0, 1}, normal)) < 1e-13);
+  }
+}
+
 TEST_CASE("anisotropy by alpha_x, alpha_y, correlation is a rotated pair of principal roughnesses") {
   // Heitz 2014, Eq. 92 with the corrected signs: principal (a1, a2) turned by b.
   const double a1 = 0.7, a2 = 0.2, b = 0.6, c = std::cos(b), s = std::sin(b);

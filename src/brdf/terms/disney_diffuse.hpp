@@ -44,16 +44,9 @@ struct DisneyDiffuse {
 
   int channels() const { return albedo.channels(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out, [&](std::size_t c, const PairCosines& pair) {
-      const double m_l = fifth(1 - pair.l), m_v = fifth(1 - pair.v);
-      const double rest_l = one_less_fifth(1 - pair.l, pair.l), rest_v = one_less_fifth(1 - pair.v, pair.v);
-      const double ss90 = roughness * pair.lh * pair.lh;
-      const double d90 = 0.5 + 2 * ss90;
-      const double f_d = (rest_l + d90 * m_l) * (rest_v + d90 * m_v);
-      const double f_subsurface = (rest_l + ss90 * m_l) * (rest_v + ss90 * m_v);
-      const double f_ss = ((printed ? 1 / pair.l / pair.v : 1 / (pair.l + pair.v)) - 0.5) * f_subsurface + 0.5;
-      return albedo.value[c] * std::numbers::inv_pi * ((1 - subsurface) * f_d + 1.25 * subsurface * f_ss);
-    });
+    const auto factors = [this](std::size_t c) { return std::array{albedo.value[c] * std::numbers::inv_pi, 0.0, 0.0}; };
+    const auto term = printed ? kernels::FlatTerm::disney_printed : kernels::FlatTerm::disney;
+    evaluate_flat(block, term, flat_parameters({roughness, subsurface}, factors), channels(), out);
   }
   DisneyDiffuse white() const { return {{}, roughness, subsurface, printed}; }
 };

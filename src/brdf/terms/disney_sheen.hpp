@@ -23,8 +23,8 @@ struct DisneySheen {
 
   int channels() const { return color.channels(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out,
-                      [&](std::size_t c, const PairCosines& pair) { return color.value[c] * fifth(pair.one_less_lh); });
+    const auto factors = [this](std::size_t c) { return std::array{color.value[c], 0.0, 0.0}; };
+    evaluate_flat(block, kernels::FlatTerm::sheen, flat_parameters({}, factors), channels(), out);
   }
   DisneySheen white() const { return {}; }
 };

@@ -7,7 +7,7 @@
 namespace brdfplot {
 
 /// rho = albedo / pi A (1 + r s / t), s = l.v - (n.l)(n.v), t = max(n.l, n.v) where s > 0 and 1 elsewhere,
-/// A = 1 / (1 + (1/2 - 2/(3 pi)) r). Its albedo is a closed form: directional_albedo().
+/// A = 1 / (1 + k1 r), k1 = 1/2 - 2/(3 pi).
 struct FujiiOrenNayar {
   Colour albedo;
   double roughness = 0;
@@ -18,14 +18,11 @@ struct FujiiOrenNayar {
   int channels() const { return albedo.channels(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const;
   FujiiOrenNayar white() const { return {{}, roughness}; }
-
-  /// 1 - E(mu) of albedo 1, for mu = cos theta in [0, 1]: A r B(mu) / pi, with B a sum that does not cancel at grazing,
-  /// where it vanishes, nor for r = 0. A few roundings.
-  static double missing(double mu, double roughness);
 };
 
 /// FujiiOrenNayar and what it loses: + albedo_ms / pi (1 - E(n.l)) (1 - E(n.v)) / (1 - mean E), albedo_ms = albedo^2
-/// mean E / (1 - albedo (1 - mean E)). With albedo 1 nothing is lost.
+/// mean E / (1 - albedo (1 - mean E)), where 1 - E(mu) = A r B(mu) / pi, with B a sum that does not cancel at grazing,
+/// where it vanishes, nor for r = 0. With albedo 1 nothing is lost.
 struct Eon {
   Colour albedo;
   double roughness = 0;

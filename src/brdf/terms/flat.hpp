@@ -3,8 +3,10 @@
 #pragma once
 
 #include "brdf/term.hpp"
+#include "math/kernels/flat.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace brdfplot {
@@ -31,61 +33,20 @@ inline ParameterSpec f0_parameter() {
 
 inline int channels_of(const Colour& a, const Colour& b) { return a.is_rgb || b.is_rgb ? 3 : 1; }
 
-/// x^5.
-inline double fifth(double x) {
-  const double x2 = x * x;
-  return x2 * x2 * x;
+/// The parameters of a flat kernel, with the factors of its parts that `factors` gives of each channel.
+template <class Factors>
+kernels::FlatParameters flat_parameters(const std::array<double, 5>& p, const Factors& factors) {
+  kernels::FlatParameters parameters{};
+  std::ranges::copy(p, parameters.p);
+  for (std::size_t c = 0; c < 3; ++c) std::ranges::copy(std::array<double, 3>(factors(c)), parameters.factors[c]);
+  return parameters;
 }
 
-/// 1 - m^5 for l = 1 - m, as a product of what does not cancel.
-inline double one_less_fifth(double m, double l) { return l * (1 + m * (1 + m * (1 + m * (1 + m)))); }
-
-/// What the BRDFs of a flat surface are functions of: cosines of a pair of directions above it, each to a few roundings
-/// at every angle. o + i and o - i are exact to a rounding where a dot product would cancel.
-struct PairCosines {
-  PairCosines(const Direction& o, const Direction& i) : v(o.z), l(i.z) {
-    const Direction sum = o + i, difference = o + -1.0 * i;
-    // Of opposite directions at grazing the sum may be so short that its square is 0.
-    const double size = std::fmax(std::fmax(std::fabs(sum.x), std::fabs(sum.y)), sum.z);
-    const Direction scaled = {sum.x / size, sum.y / size, sum.z / size};
-    const double across2 = scaled.x * scaled.x + scaled.y * scaled.y;
-    const double length2 = across2 + scaled.z * scaled.z;
-    const double length = std::sqrt(length2);
-    lh = 0.5 * length * size;
-    one_less_lh = dot(difference, difference) / (4 * (1 + lh));
-    nh = scaled.z / length;
-    sin2_h = across2 / length2;
-  }
-
-  double v, l; ///< n.v and n.l
-  double lh;   ///< l.h = v.h
-  double one_less_lh;
-  double nh;     ///< n.h
-  double sin2_h; ///< 1 - (n.h)^2
-};
-
-/// Writes the colour times rho(o, i) into the channels, for rows with both directions above the horizon; 0 elsewhere.
-template <class Rho>
-void evaluate_flat(const PairBlock& block, const Colour& colour, const ChannelRows& out, const Rho& rho) {
-  for (std::size_t k = 0; k < block.n; ++k) {
-    const Direction o = block.o[k], i = block.i[k];
-    const double value = o.z > 0 && i.z > 0 ? rho(o, i) * (block.times_cosine ? i.z : 1) : 0;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(colour.channels()); ++c)
-      out.rho[c][k] = colour.value[c] * value;
-  }
-}
-
-/// Writes rho(channel, cosines) of each row with both directions above the horizon; 0 elsewhere.
-template <class Rho>
-void evaluate_channels(const PairBlock& block, int channels, const ChannelRows& out, const Rho& rho) {
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-    double* const to = out.rho[c];
-    for (std::size_t k = 0; k < block.n; ++k) {
-      const Direction o = block.o[k], i = block.i[k];
-      const double value = rho(c, PairCosines(o, i)) * (block.times_cosine ? i.z : 1);
-      to[k] = o.z > 0 && i.z > 0 ? value : 0;
-    }
-  }
+/// Writes what a flat kernel computes into the channels, for rows with both directions above the horizon; 0 elsewhere.
+inline void evaluate_flat(const PairBlock& block, kernels::FlatTerm term, const kernels::FlatParameters& parameters,
+                          int channels, const ChannelRows& out) {
+  kernels::flat_brdf(term, parameters, {block.o.x, block.o.y, block.o.z}, {block.i.x, block.i.y, block.i.z},
+                     block.times_cosine, channels, out.rho, block.n);
 }
 
 /// The values of a term, completed by its spec. \throws MaterialError at "/key".

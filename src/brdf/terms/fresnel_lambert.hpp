@@ -32,10 +32,11 @@ struct FresnelLambert {
 
   int channels() const { return channels_of(albedo, f0); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out, [&](std::size_t c, const PairCosines& pair) {
-      const double l = at_normal ? pair.l : pair.lh, m = at_normal ? 1 - pair.l : pair.one_less_lh;
-      return albedo.value[c] * std::numbers::inv_pi * (1 - f0.value[c]) * one_less_fifth(m, l);
-    });
+    const auto factors = [this](std::size_t c) {
+      return std::array{albedo.value[c] * std::numbers::inv_pi * (1 - f0.value[c]), 0.0, 0.0};
+    };
+    const auto term = at_normal ? kernels::FlatTerm::through_normal : kernels::FlatTerm::through_half;
+    evaluate_flat(block, term, flat_parameters({}, factors), channels(), out);
   }
   FresnelLambert white() const { return {{}, f0, at_normal}; }
 };

@@ -31,14 +31,12 @@ struct HammonDiffuse {
 
   int channels() const { return channels_of(albedo, f0); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out, [&](std::size_t c, const PairCosines& pair) {
-      const double smooth =
-          21.0 / 20 * (1 - f0.value[c]) * one_less_fifth(1 - pair.l, pair.l) * one_less_fifth(1 - pair.v, pair.v);
-      const double k = pair.lh * pair.lh;
-      const double rough = (0.9 - 0.4 * k) * (k + k * pair.lh / (pair.l + pair.v));
-      const double a = albedo.value[c];
-      return a * std::numbers::inv_pi * ((1 - alpha) * smooth + alpha * rough + a * (0.3641 * alpha));
-    });
+    const auto factors = [this](std::size_t c) {
+      const double a = albedo.value[c], over_pi = a * std::numbers::inv_pi;
+      return std::array{over_pi * (1 - alpha) * (21.0 / 20) * (1 - f0.value[c]), over_pi * alpha,
+                        over_pi * a * (0.3641 * alpha)};
+    };
+    evaluate_flat(block, kernels::FlatTerm::hammon, flat_parameters({}, factors), channels(), out);
   }
   HammonDiffuse white() const { return {{}, f0, alpha}; }
 };

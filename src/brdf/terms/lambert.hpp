@@ -24,7 +24,8 @@ struct Lambert {
 
   int channels() const { return albedo.channels(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_flat(block, albedo, out, [](const Direction&, const Direction&) { return std::numbers::inv_pi; });
+    const auto factors = [this](std::size_t c) { return std::array{albedo.value[c] * std::numbers::inv_pi, 0.0, 0.0}; };
+    evaluate_flat(block, kernels::FlatTerm::constant, flat_parameters({}, factors), channels(), out);
   }
   Lambert white() const { return {}; }
 };

@@ -1,7 +1,6 @@
 #include "brdf/terms/oren_nayar.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace brdfplot {
 
@@ -38,15 +37,7 @@ OrenNayarFits OrenNayarFits::from(const TermDescription& description) {
 }
 
 void OrenNayarFits::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-  for (std::size_t k = 0; k < block.n; ++k) {
-    const Direction o = block.o[k], i = block.i[k];
-    const OrenNayarParts parts = oren_nayar_parts(form, sigma, o, i);
-    for (std::size_t c = 0; c < static_cast<std::size_t>(channels()); ++c) {
-      const double a = albedo.value[c];
-      out.rho[c][k] =
-          (a * parts.once + a * a * parts.twice) * std::numbers::inv_pi * (block.times_cosine ? std::max(0.0, i.z) : 1);
-    }
-  }
+  evaluate_flat(block, oren_nayar_term(form), oren_nayar_parameters(form, sigma, albedo.value), channels(), out);
 }
 
 } // namespace brdfplot

@@ -26,10 +26,10 @@ struct Shirley {
 
   int channels() const { return channels_of(albedo, f0); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out, [&](std::size_t c, const PairCosines& pair) {
-      return 21.0 / 20 * std::numbers::inv_pi * albedo.value[c] * (1 - f0.value[c]) *
-             one_less_fifth(1 - pair.l, pair.l) * one_less_fifth(1 - pair.v, pair.v);
-    });
+    const auto factors = [this](std::size_t c) {
+      return std::array{21.0 / 20 * std::numbers::inv_pi * albedo.value[c] * (1 - f0.value[c]), 0.0, 0.0};
+    };
+    evaluate_flat(block, kernels::FlatTerm::through_both, flat_parameters({}, factors), channels(), out);
   }
   Shirley white() const { return {{}, f0}; }
 };

@@ -34,10 +34,12 @@ struct Uncharted2 {
 
   int channels() const { return albedo.channels(); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out, [&](std::size_t c, const PairCosines& pair) {
-      return albedo.value[c] * std::numbers::inv_pi *
-             (rim * std::pow(pair.v, rim_power) + inner * std::pow(1 - pair.v, inner_power) + diffuse);
-    });
+    const auto factors = [this](std::size_t c) { return std::array{albedo.value[c] * std::numbers::inv_pi, 0.0, 0.0}; };
+    // x^0 is 1, at 0 too.
+    const double constant = (rim_power == 0 ? rim : 0) + (inner_power == 0 ? inner : 0) + diffuse;
+    const std::array<double, 5> p = {rim_power == 0 ? 0 : rim, rim_power, inner_power == 0 ? 0 : inner, inner_power,
+                                     constant};
+    evaluate_flat(block, kernels::FlatTerm::uncharted2, flat_parameters(p, factors), channels(), out);
   }
   Uncharted2 white() const { return {{}, rim, rim_power, inner, inner_power, diffuse}; }
 };

@@ -23,14 +23,13 @@ struct VelvetCloth {
 
   int channels() const { return channels_of(albedo, f0); }
   void evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
-    evaluate_channels(block, channels(), out, [&](std::size_t c, const PairCosines& pair) {
-      const double base = (1 - f0.value[c]) * one_less_fifth(pair.one_less_lh, pair.lh);
-      const double fresnel = f0.value[c] + (1 - f0.value[c]) * fifth(pair.one_less_lh);
-      // n.l + n.v - (n.l)(n.v)
-      const double denominator = pair.l + pair.v * (1 - pair.l);
-      return base * albedo.value[c] * std::numbers::inv_pi +
-             fresnel * velvet.density(pair.sin2_h, pair.nh) / (4 * denominator);
-    });
+    const auto factors = [this](std::size_t c) {
+      return std::array{(1 - f0.value[c]) * albedo.value[c] * std::numbers::inv_pi, f0.value[c], 1 - f0.value[c]};
+    };
+    const double over_alpha2 = 1 / (velvet.alpha * velvet.alpha);
+    const std::array<double, 5> density = {over_alpha2, velvet.base * std::numbers::inv_pi,
+                                           velvet.inverted * std::numbers::inv_pi * over_alpha2};
+    evaluate_flat(block, kernels::FlatTerm::velvet, flat_parameters(density, factors), channels(), out);
   }
   VelvetCloth white() const { return {{}, f0, velvet}; }
 };

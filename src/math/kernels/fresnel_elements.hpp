@@ -64,14 +64,14 @@ BRDFPLOT_INLINE Grazing fifth_power(double c) {
   return {square * square * u, c * (1 + u * (1 + u * (1 + u * (1 + u))))};
 }
 
-/// ln(u + low) for 2^-60 <= u <= 1, to some 2^-64 of itself: with m in [sqrt(1/2), sqrt(2)) and s = (m - 1) / (m + 1),
-/// ln m = 2 s + 2 s^3 / 3 + 2 s^5 / 5 + ..., |s| < 0.172.
-BRDFPLOT_INLINE Pair<double> logarithm(double u, double low) {
+/// ln(u + low) - less ln 2 for 2^-1020 <= u <= 1 and a whole number `less`, to some 2^-64 of itself: with m in
+/// [sqrt(1/2), sqrt(2)) and s = (m - 1) / (m + 1), ln m = 2 s + 2 s^3 / 3 + 2 s^5 / 5 + ..., |s| < 0.172.
+BRDFPLOT_INLINE Pair<double> logarithm(double u, double low, double less) {
   using F = Format<double>;
-  constexpr Bits<double> root_half = 0x3fe6a09e667f3bcd, offset = Bits<double>{64} << F::fraction_bits;
-  const Bits<double> k_bits = (bits(u) + (offset - root_half)) >> F::fraction_bits; // k + 64
-  const auto k = from_bits<double>(k_bits | bits(F::integer)) - (F::integer + 64);
-  const auto scale = from_bits<double>((Bits<double>{F::bias + 64} - k_bits) << F::fraction_bits);
+  constexpr Bits<double> root_half = 0x3fe6a09e667f3bcd, offset = Bits<double>{1088} << F::fraction_bits;
+  const Bits<double> k_bits = (bits(u) + (offset - root_half)) >> F::fraction_bits; // k + 1088
+  const double power = from_bits<double>(k_bits | bits(F::integer)) - (F::integer + 1088) - less;
+  const auto scale = from_bits<double>((Bits<double>{F::bias + 1088} - k_bits) << F::fraction_bits);
   const double m = u * scale, m_low = low * scale;
   const Pair<double> over = sum(m - 1, m_low), under = sum(m, 1.0);
   const double inverse = 1 / under.high, s = over.high * inverse;
@@ -83,14 +83,14 @@ BRDFPLOT_INLINE Pair<double> logarithm(double u, double low) {
                                2.0 / 17, 2.0 / 19, 2.0 / 21, 2.0 / 23, 2.0 / 25};
   const double z = square.high;
   const double rest = (cube.high * z) * polynomial(series, z, z * z);
-  const Pair<double> first = sum(k * F::ln2_high, s + s), second = sum(first.high, third.high);
-  return sum(second.high, first.low + (second.low + (k * F::ln2_low + ((s_low + s_low) + (third.low + rest)))));
+  const Pair<double> first = sum(power * F::ln2_high, s + s), second = sum(first.high, third.high);
+  return sum(second.high, first.low + (second.low + (power * F::ln2_low + ((s_low + s_low) + (third.low + rest)))));
 }
 
 /// By e^(exponent ln(1 - c)); the complement of one near 1 is what the exponential function has before it adds 1.
 BRDFPLOT_INLINE Grazing power(double c, double exponent) {
   const double u = 1 - c;
-  const Pair<double> ln = logarithm(larger(u, 0x1p-60), (1 - u) - c);
+  const Pair<double> ln = logarithm(larger(u, 0x1p-60), (1 - u) - c, 0);
   const Pair<double> x = product(ln.high, ln.low, exponent, 0.0);
   const bool nothing = (x.high < -800) | (u <= 0);
   const Exponential<double> e = exponential(larger(x.high, -800.0), nothing ? 0 : x.low, 1.0);

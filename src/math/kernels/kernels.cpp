@@ -174,6 +174,11 @@ void reflectance_schlick(const double* c, double f0, double f90, double exponent
   table().fresnel.schlick[exponent == 5]({f0, f90, exponent}, c, f, n);
 }
 
+void flat_brdf(FlatTerm term, const FlatParameters& parameters, Vectors<double> o, Vectors<double> i, bool times_cosine,
+               int channels, double* const* out, std::size_t n) {
+  table().flat.flat[static_cast<int>(term)][times_cosine][channels > 1](parameters, o, i, out, n);
+}
+
 #define BRDFPLOT_DEFINE(T)                                                                                             \
   void project(const Stretch& stretch, Vectors<T> omega, T* c, T* s, std::size_t n) {                                  \
     run_project(stretch, omega, c, s, n);                                                                              \

@@ -1,12 +1,13 @@
 /// \file
 /// The kernels for every processor of the architecture; kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE baseline
+#include "math/kernels/flat_loops.hpp"
 #include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
 
 namespace brdfplot::kernels::detail {
 
 constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>(),
-                                     baseline::fresnel_kernels()};
+                                     baseline::fresnel_kernels(), baseline::flat_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -3,6 +3,7 @@
 /// function here might be compiled with AVX-512 and then be the copy that the linker keeps for everybody.
 #pragma once
 
+#include "math/kernels/flat.hpp"
 #include "math/kernels/kernels.hpp"
 
 namespace brdfplot::kernels::detail {
@@ -73,10 +74,18 @@ struct FresnelKernels {
   Schlick schlick[2]; ///< [the exponent is 5]
 };
 
+/// The flat terms, of one colour and of three.
+struct FlatKernels {
+  using Flat = void (*)(const FlatParameters&, Vectors<double>, Vectors<double>, double* const*, std::size_t);
+
+  Flat flat[flat_terms][2][2]; ///< [term][times cosine][rgb]
+};
+
 struct Table {
   Kernels<double> for_double;
   Kernels<float> for_float;
   FresnelKernels fresnel;
+  FlatKernels flat;
 };
 
 extern const Table baseline_table;

@@ -11,10 +11,13 @@ ModelSpec PhongProfile::spec() {
                  .source = "Walter et al. 2007, Eqs. 30-33; Heitz 2014, section 7; Ribardiere et al. 2017",
                  .parameters = isotropic_roughness({.min = 1e-6, .max = std::numbers::sqrt2, .open_max = true},
                                                    "roughness of the like Beckmann surface; n = 2 / alpha^2 - 2"),
-                 .alternatives = {{"exponent"}, {"alpha"}, {"roughness"}}};
+                 .alternatives = {{"exponent"}, {"alpha"}, {"roughness"}, {"gloss"}}};
   spec.parameters.insert(
       spec.parameters.begin(),
       {.key = "exponent", .bounds = {.min = -1, .max = 2e12, .open_min = true}, .doc = "n of cos^n theta_m"});
+  spec.parameters.push_back({.key = "gloss",
+                             .bounds = {.min = 0, .max = 1},
+                             .doc = "s of n = 8192^s (Akenine-Moller et al. 2018, section 9.8.1: n = m^s)"});
   return spec;
 }
 
@@ -27,8 +30,8 @@ double lobe(double exponent, double power, double r2) {
 } // namespace
 
 PhongProfile PhongProfile::from(const Values& values) {
-  if (values.has("exponent")) {
-    const double exponent = values.number("exponent");
+  if (values.has("exponent") || values.has("gloss")) {
+    const double exponent = values.has("gloss") ? std::exp2(13 * values.number("gloss")) : values.number("exponent");
     return {exponent, std::sqrt(2 / (exponent + 2)), StudentTShape::of_excess(0.5 * (exponent + 1))};
   }
   const double alpha = alpha_from(values);

@@ -1,0 +1,192 @@
+/// \file
+/// One pair of directions of the flat terms. Included once per instruction set, like arithmetic.hpp; flat.hpp says what
+/// they compute.
+#pragma once
+
+#include "math/kernels/brdf_elements.hpp"
+#include "math/kernels/flat.hpp"
+#include "math/kernels/fresnel_elements.hpp"
+
+namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
+
+inline constexpr double half_pi = 0x1.921fb54442d18p0;
+
+/// The parts of a term.
+struct Parts {
+  double a, b, c;
+};
+
+BRDFPLOT_INLINE double fifth(double x) {
+  const double x2 = x * x;
+  return x2 * x2 * x;
+}
+
+/// 1 - m^5 for l = 1 - m, as a product of what does not cancel.
+BRDFPLOT_INLINE double one_less_fifth(double m, double l) { return l * (1 + m * (1 + m * (1 + m * (1 + m)))); }
+BRDFPLOT_INLINE double one_less_fifth(double l) { return one_less_fifth(1 - l, l); }
+
+/// Of the half vector: o + i and o - i are exact to a rounding where a dot product would cancel. Of opposite directions
+/// at grazing the sum may be so short that its square is 0: it is scaled by a power of two.
+struct HalfCosines {
+  double lh, one_less_lh; ///< l.h and what it is short of 1
+  double across2, z2;     ///< squares of the horizontal part and of z of h, of any length
+};
+
+BRDFPLOT_INLINE HalfCosines half_cosines(const Vector3& o, const Vector3& i) {
+  const Vector3 sum{o.x + i.x, o.y + i.y, o.z + i.z}, gap{o.x - i.x, o.y - i.y, o.z - i.z};
+  const double size = larger(larger(magnitude(sum.x), magnitude(sum.y)), magnitude(sum.z));
+  const double up = normalizer(size);
+  const double down = 2 * from_bits<double>(bits(size) & Format<double>::exponent_mask);
+  const Vector3 s{sum.x * up, sum.y * up, sum.z * up};
+  const double across2 = s.x * s.x + s.y * s.y, z2 = s.z * s.z;
+  const double lh = 0.5 * root(across2 + z2) * down;
+  const double gap2 = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+  return {lh, gap2 / (4 * (1 + lh)), across2, z2};
+}
+
+template <bool printed>
+BRDFPLOT_INLINE Parts disney(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
+  const double lh = half_cosines(o, i).lh, l = i.z, v = o.z;
+  const double m_l = fifth(1 - l), m_v = fifth(1 - v), rest_l = one_less_fifth(l), rest_v = one_less_fifth(v);
+  const double ss90 = p[0] * lh * lh, d90 = 0.5 + 2 * ss90;
+  const double f_d = (rest_l + d90 * m_l) * (rest_v + d90 * m_v);
+  const double f_subsurface = (rest_l + ss90 * m_l) * (rest_v + ss90 * m_v);
+  const double among = printed ? w / l / v : w / (l + v);
+  const double f_ss = (among - 0.5 * w) * f_subsurface + 0.5 * w;
+  return {(1 - p[1]) * f_d * w + 1.25 * p[1] * f_ss, 0, 0};
+}
+
+/// k = (l.h)^2: k (0.9 - 0.4 k) (0.5 + n.h) / n.h without n.h, which may be 0.
+BRDFPLOT_INLINE Parts hammon(const Vector3& o, const Vector3& i, double w) {
+  const double lh = half_cosines(o, i).lh, k = lh * lh;
+  const double rough = (0.9 - 0.4 * k) * (k * w + k * lh * (w / (i.z + o.z)));
+  return {one_less_fifth(i.z) * one_less_fifth(o.z) * w, rough, w};
+}
+
+/// cot^2 where e^(-p0 cot^2) is below 1e-390 counts as there.
+BRDFPLOT_INLINE Parts velvet(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
+  const HalfCosines h = half_cosines(o, i);
+  const double least = h.z2 * p[0] * (1.0 / 900);
+  const double cot2 = h.z2 / not_zero(larger(h.across2, least));
+  const Exponential<double> e = exponential(-(p[0] * cot2), 0.0, 1.0);
+  const double inverted = scaled(h.across2 < least ? 0 : e.value, e.shifted_k) * ((1 + cot2) * (1 + cot2));
+  // n.l + n.v - (n.l)(n.v)
+  const double cloth = (p[1] + p[2] * inverted) * (0.25 * (w / (i.z + o.z * (1 - i.z))));
+  return {one_less_fifth(h.one_less_lh, h.lh) * w, cloth, fifth(h.one_less_lh) * cloth};
+}
+
+/// u^exponent for 0 < u <= 1, subnormal numbers too.
+BRDFPLOT_INLINE double power_of(double u, double exponent) {
+  const bool tiny = u < 0x1p-1000;
+  const Pair<double> ln = logarithm(tiny ? u * 0x1p64 : u, 0, tiny ? 64.0 : 0.0);
+  const Pair<double> x = product(ln.high, ln.low, exponent, 0.0);
+  const bool nothing = x.high < -800;
+  const Exponential<double> e = exponential(larger(x.high, -800.0), nothing ? 0 : x.low, 1.0);
+  return nothing ? 0 : scaled(e.value, e.shifted_k);
+}
+
+BRDFPLOT_INLINE Parts uncharted2(const double (&p)[5], double v, double w) {
+  return {(p[0] * power_of(v, p[1]) + p[2] * power(v, p[3]).power + p[4]) * w, 0, 0};
+}
+
+/// asin x = value + slope above / below for 0 <= x <= 1: for x <= 1/2 by the quotient of polynomials of FreeBSD's
+/// e_asin.c, and for x > 1/2 by pi/2 - 2 asin sqrt((1 - x) / 2). Relative error below 5e-16.
+struct Arcsine {
+  double value, slope, above, below;
+};
+
+BRDFPLOT_INLINE Arcsine arcsine_parts(double x) {
+  constexpr double above[] = {1.66666666666666657415e-01,  -3.25565818622400915405e-01, 2.01212532134862925881e-01,
+                              -4.00555345006794114027e-02, 7.91534994289814532176e-04,  3.47933107596021167570e-05};
+  constexpr double below[] = {1.0, -2.40339491173441421878e+00, 2.02094576023350569471e+00, -6.88283971605453293030e-01,
+                              7.70381505559019352791e-02};
+  const bool large = x > 0.5;
+  const double z = large ? larger(0.5 * (1 - x), 0.0) : x * x, r = large ? root(z) : x, z2 = z * z;
+  return {large ? half_pi - (r + r) : r, large ? -(r + r) : r, z * polynomial(above, z, z2), polynomial(below, z, z2)};
+}
+
+BRDFPLOT_INLINE double arcsine(double x) {
+  const Arcsine a = arcsine_parts(x);
+  return a.value + a.slope * (a.above / a.below);
+}
+
+/// At grazing s is divided by what is small: it must be right where the azimuths are at right angles, and its terms
+/// cancel.
+BRDFPLOT_INLINE double fujii(double roughness, const Vector3& o, const Vector3& i, double w) {
+  const double x = o.x * i.x, y = o.y * i.y, rounded = x + y;
+  const double s = rounded + (sum_low(x, y, rounded) + (product_low(o.x, i.x, x) + product_low(o.y, i.y, y)));
+  const double t = s > 0 ? larger(o.z, i.z) : 1;
+  return w + roughness * s * (w / t);
+}
+
+/// B(mu) = k1 pi - G(mu), G as in the source, with arccos as pi/2 - arcsin and every difference that cancels as a
+/// product.
+/// One division: of the arcsine and of what 1 + s divides.
+BRDFPLOT_INLINE double lost(double mu) {
+  const double s2 = larger((1 - mu) * (1 + mu), 0.0), s = root_by_products(s2);
+  const Arcsine a = arcsine_parts(mu);
+  const double inverse = 1 / ((1 + s) * a.below);
+  const double numerator = mu * ((half_pi - 2.0 / 3) * mu - (2.0 / 3) * s * (1 + s + s2));
+  const double arc = a.value + a.slope * (a.above * ((1 + s) * inverse));
+  return numerator * (a.below * inverse) + (s * arc + s2 * mu);
+}
+
+BRDFPLOT_INLINE Parts eon(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
+  return {fujii(p[0], o, i, w), lost(o.z) * lost(i.z) * w, 0};
+}
+
+/// What the fits of Oren and Nayar see: alpha is the larger polar angle, beta the smaller; theirs above the horizon are
+/// what they are short of pi/2. One arcsine each, of the smaller of sine and cosine.
+struct Polar {
+  double sine, theta, elevation;
+};
+
+BRDFPLOT_INLINE Polar polar(const Vector3& d) {
+  const double s = root(d.x * d.x + d.y * d.y);
+  const double small = arcsine(smaller(s, d.z)), large = half_pi - small;
+  return {s, s < d.z ? small : large, s < d.z ? large : small};
+}
+
+/// sin alpha sin beta k.
+BRDFPLOT_INLINE double horizontal_dot(const Vector3& o, const Vector3& i) { return o.x * i.x + o.y * i.y; }
+
+/// At the normal, where k is undefined, nothing depends on it. sin alpha - (2 beta / pi)^3, which cancels at grazing,
+/// by what both are short of 1.
+BRDFPLOT_INLINE Parts oren_nayar(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
+  const Polar a = polar(o), b = polar(i);
+  const double flat = horizontal_dot(o, i), both = a.sine * b.sine;
+  const double k = larger(-1.0, smaller(flat / not_zero(both), 1.0));
+  const double low_z = smaller(o.z, i.z), high_z = larger(o.z, i.z);
+  const double sin_alpha = larger(a.sine, b.sine);
+  const double q = (1 / half_pi) * larger(a.elevation, b.elevation);
+  const double backward = q * (3 - q * (3 - q)) - low_z * low_z / (1 + sin_alpha);
+  const double along = flat * (w / high_z) * (flat >= 0 ? 1 : backward / not_zero(sin_alpha));
+  const double angles = 1 / (half_pi * half_pi) * a.theta * b.theta;
+  const double across = (1 - magnitude(k)) * (angles * angles) * ((a.sine + b.sine) * (w / (o.z + i.z)));
+  const double half = (1 / half_pi) * smaller(a.theta, b.theta);
+  return {p[0] * w + p[1] * along + p[2] * across, p[3] * (1 - k * half * half) * w, 0};
+}
+
+BRDFPLOT_INLINE Parts oren_nayar_qualitative(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
+  return {p[0] * w + p[1] * larger(horizontal_dot(o, i), 0.0) * (w / larger(o.z, i.z)), 0, 0};
+}
+
+template <FlatTerm term>
+BRDFPLOT_INLINE Parts parts_of(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
+  if constexpr (term == FlatTerm::constant) return {w, 0, 0};
+  if constexpr (term == FlatTerm::through_normal) return {one_less_fifth(i.z) * w, 0, 0};
+  if constexpr (term == FlatTerm::through_both) return {one_less_fifth(i.z) * one_less_fifth(o.z) * w, 0, 0};
+  if constexpr (term == FlatTerm::disney) return disney<false>(p, o, i, w);
+  if constexpr (term == FlatTerm::disney_printed) return disney<true>(p, o, i, w);
+  if constexpr (term == FlatTerm::hammon) return hammon(o, i, w);
+  if constexpr (term == FlatTerm::velvet) return velvet(p, o, i, w);
+  if constexpr (term == FlatTerm::uncharted2) return uncharted2(p, o.z, w);
+  if constexpr (term == FlatTerm::fujii) return {fujii(p[0], o, i, w), 0, 0};
+  if constexpr (term == FlatTerm::eon) return eon(p, o, i, w);
+  if constexpr (term == FlatTerm::oren_nayar) return oren_nayar(p, o, i, w);
+  if constexpr (term == FlatTerm::oren_nayar_qualitative) return oren_nayar_qualitative(p, o, i, w);
+  const HalfCosines h = half_cosines(o, i);
+  return {(term == FlatTerm::sheen ? fifth(h.one_less_lh) : one_less_fifth(h.one_less_lh, h.lh)) * w, 0, 0};
+}
+
+} // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE
