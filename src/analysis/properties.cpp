@@ -25,6 +25,7 @@ bool takes_alpha(const ModelChoice& choice) {
 std::string text_of(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   std::string out;
   const auto append = [&](double x) { out += (out.empty() ? "" : " ") + format_number(x); };
   if (const auto* pair = std::get_if<Vec2>(&value)) std::ranges::for_each(*pair, append);

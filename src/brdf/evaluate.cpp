@@ -73,7 +73,7 @@ public:
       const std::size_t n = std::min(PairBlock::capacity, batch_.n - first);
       for (std::size_t k = 0; k < block_count_; ++k) {
         SurfaceBlock& work = blocks_[k].work;
-        if (blocks_[k].term->surface() != nullptr) {
+        if (blocks_[k].term->surface() != nullptr || blocks_[k].term->facets() != nullptr) {
           set_directions(work, n, batch_.o.from(first), batch_.i.from(first), batch_.m.from(first));
           continue;
         }

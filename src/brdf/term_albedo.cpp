@@ -59,6 +59,7 @@ std::string key_of(const Value& value) {
   };
   if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
   if (const auto* text = std::get_if<std::string>(&value)) return '"' + *text + '"';
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* pair = std::get_if<Vec2>(&value)) return joined(*pair);
   if (const auto* rgb = std::get_if<Rgb>(&value)) return joined(*rgb);
   std::string text;

@@ -26,9 +26,11 @@ std::string values(int count) {
   return out;
 }
 
-std::string figure(const std::string& quantity) {
+/// Of seconds of work.
+std::string figure(const std::string& quantity, const std::string& distribution) {
   return R"({"id": "f", "kind": "lines", "title": "T", "caption": "C", "columns": 8,
-    "x": {"variable": "theta_o", "from": 0, "to": 1.5}, "material": {"distribution": {"type": "phong", "alpha": 0.5}},
+    "x": {"variable": "theta_o", "from": 0, "to": 1.5}, "material": {"distribution": {"type": ")" +
+         distribution + R"(", "alpha": 0.5}},
     "panels": [{"title": "{alpha}", "series": [{"label": "{alpha}", "quantity": ")" +
          quantity + R"("}], "for_each": {"variable": "alpha", "values": [)" + values(1000) + "]}}]}";
 }
@@ -41,8 +43,8 @@ std::string scene(const std::string& surface) {
 
 TEST_CASE("figures and reports, interrupted") {
   const Folder folder;
-  folder.write("albedo.json", figure("albedo"));
-  folder.write("g1.json", figure("g1"));
+  folder.write("albedo.json", figure("albedo", "phong"));
+  folder.write("g1.json", figure("g1", "ward"));
   check_interrupted(folder, "plot albedo.json -o out --cache ''");
   check_interrupted(folder, "plot g1.json -o out --cache ''");
   check_interrupted(folder, "report -o out --cache ''");

@@ -5,6 +5,7 @@
 #include "brdf/surface_block.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace brdfplot {
 
@@ -59,21 +60,21 @@ int Kelemen2001::channels() const {
 }
 
 void Kelemen2001::evaluate(const PairBlock& pairs, SurfaceBlock& work, const ChannelRows& out) const {
-  // The half vectors, whatever normals the block has.
-  SurfaceBlock own;
-  set_directions(own, pairs.n, pairs.o, pairs.i, {});
-  (void)work;
-  std::visit([&](const auto& d) { d.densities(vectors(own.m), own.density.data(), pairs.n); }, distribution);
-  compute_reflectances(fresnel, own);
+  SurfaceBlock own; // of the half vectors, where the rows have other normals
+  if (!work.has_half) set_directions(own, pairs.n, pairs.o, pairs.i, {});
+  SurfaceBlock& block = work.has_half ? work : own;
+  if (!std::exchange(block.done.densities, true))
+    std::visit([&](const auto& d) { d.densities(vectors(block.m), block.density.data(), pairs.n); }, distribution);
+  compute_reflectances(fresnel, block);
   Buffer value;
   for (std::size_t k = 0; k < pairs.n; ++k) {
     const Direction sum = pairs.o[k] + pairs.i[k]; // |o + i|^2 = 2 (1 + o.i) = 4 (o.h)^2
-    const double p = scale * own.density[k] * (with_cosine ? own.half_z[k] : 1);
+    const double p = scale * block.density[k] * (with_cosine ? block.m.z[k] : 1);
     const bool lit = pairs.o.z[k] > 0 && pairs.i.z[k] > 0 && p > 0;
     value[k] = lit ? p / dot(sum, sum) * (pairs.times_cosine ? pairs.i.z[k] : 1) : 0;
   }
   for (std::size_t c = 0; c < static_cast<std::size_t>(channels()); ++c)
-    for (std::size_t k = 0; k < pairs.n; ++k) out.rho[c][k] = value[k] == 0 ? 0 : own.reflectances[c][k] * value[k];
+    for (std::size_t k = 0; k < pairs.n; ++k) out.rho[c][k] = value[k] == 0 ? 0 : block.reflectances[c][k] * value[k];
 }
 
 } // namespace brdfplot

@@ -20,6 +20,7 @@ struct Karis {
   }
   static Karis from(const Values&) { return {}; }
   static constexpr bool has_lambda = true;
+  static constexpr bool is_of_several_a = true;
 
   /// With the cosine c / n after the vertical shear that levels the mesosurface, n^2 = h^2 + c^2 with h^2 = x^2 + y^2,
   /// c Lambda = alpha_o (n - c) / 2, where alpha_o = s / h and n - c = h^2 / (n + c).

@@ -10,7 +10,7 @@
 namespace brdfplot {
 
 /// G1 = 1 / (1 + Lambda), exact; Lambda of the distribution itself or, as Walter et al. 2007 suggest for Phong, of
-/// another shape at the like roughness.
+/// another shape at about the same roughness.
 struct Smith {
   enum class LambdaOf { itself, beckmann, ggx } lambda_of = LambdaOf::itself;
 
