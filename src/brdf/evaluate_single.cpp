@@ -97,8 +97,8 @@ void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t fi
 /// Whether a term is all of its microsurface: mirrors with F = 1.
 bool is_white(const WeightedTerm& term) {
   const Fresnel* fresnel = term.fresnel();
-  return fresnel != nullptr && std::holds_alternative<NoFresnel>(*fresnel) && term.weight.value == Rgb{1, 1, 1} &&
-         term.channels() == 1;
+  return term.surface() != nullptr && fresnel != nullptr && std::holds_alternative<NoFresnel>(*fresnel) &&
+         term.weight.value == Rgb{1, 1, 1} && term.channels() == 1;
 }
 
 /// The call that computes a quantity of a material, where there is one.

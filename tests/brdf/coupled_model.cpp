@@ -2,6 +2,7 @@
 // equations as they are printed, with 50 digits; tables against the integrals that they stand for.
 #include "../materials.hpp"
 #include "analysis/integrals.hpp"
+#include "brdf/evaluate_single.hpp"
 #include "brdf/reflected_light.hpp"
 #include "brdf/term_albedo.hpp"
 
@@ -104,6 +105,14 @@ TEST_CASE("kelemen: the printed equation with 50 digits, from the normal to graz
           CHECK(value(m, Quantity::brdf, o, i) == doctest::Approx(value(m, Quantity::brdf, i, o)).epsilon(1e-13));
         }
       }
+}
+
+TEST_CASE("kelemen: in float it is the double one, rounded") {
+  const Material m = build(kelemen("ggx", 0.4));
+  const Direction o = from_angles(0.3, 0), i = from_angles(-0.2, 0.1);
+  float single = 0;
+  evaluate(m, Quantity::brdf, {1, {&o.x, &o.y, &o.z}, {&i.x, &i.y, &i.z}, {}}, &single);
+  CHECK(single == static_cast<float>(value(m, Quantity::brdf, o, i)));
 }
 
 TEST_CASE("kelemen: P is D cos, D over its integral, or D, and the first two integrate to 1") {

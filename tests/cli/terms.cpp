@@ -83,6 +83,21 @@ TEST_CASE("terms: a term of another one takes it by name or written within, and 
   CHECK(std::stod(rows.back()[3]) > std::stod(rows[1][3])); // rougher facets leave more
 }
 
+TEST_CASE("terms: stretching reaches a term of another by its name, not within it") {
+  const Folder folder;
+  const std::string mirror = R"({"name": "m", "type": "mirror", "distribution": {"type": "ggx", "alpha": 0.4}})";
+  const auto plot = [&](const std::string& of) {
+    folder.write("f.json", R"({"id": "f", "kind": "lines", "title": "T", "caption": "C",
+      "material": {"terms": [)" +
+                               mirror + R"(, {"type": "complement", "of": )" + of + R"(}]},
+      "at": {"theta_o": "50deg", "theta_i": "10deg"}, "x": {"variable": "stretch_x", "from": 0.8, "to": 1, "samples": 2},
+      "panels": [{"series": [{"quantity": "m.brdf"}]}]})");
+    return "brdfplot plot f.json -o . --quiet";
+  };
+  check_output(folder, plot("\"m\""));
+  check_error(folder, plot(mirror), 2, {"do not reach the term within \"complement\""});
+}
+
 TEST_CASE("terms: cloth is made of terms without a microsurface") {
   const Folder folder;
   folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n");

@@ -136,6 +136,10 @@ MaterialDescription Configuration::transformed(const Material& material) const {
   if (!std::visit([](const auto& d) { return d.shape_invariant; }, surface.distribution))
     throw InputError("", "stretching and shearing need a shape-invariant distribution, and \"" +
                              term.distribution.type + "\" is none");
+  for (const TermDescription& other : description.terms)
+    if (!other.of.empty())
+      throw InputError("", "stretching and shearing do not reach the term within \"" + other.type +
+                               "\"; accepted: the name of one beside it");
   const SlopeMap& map = surface.slopes();
   set_parameter(term, "alpha_x", map.alpha_x / stretch_[0]);
   set_parameter(term, "alpha_y", map.alpha_y / stretch_[1]);
