@@ -1,4 +1,4 @@
-"""What one would write instead of `brdfplot eval MATERIAL -q lambda`: Smith's Lambda of Beckmann as printed (Heitz 2014,
+"""A plain implementation of `brdfplot eval MATERIAL -q lambda`: Smith's Lambda of Beckmann as printed (Heitz 2014,
 Eq. 69) for every row of theta_o,phi_o, with numpy and scipy.
 
     eval_peer.py ROWS.csv OUT.csv ALPHA

@@ -1,5 +1,5 @@
 /// \file
-/// Nanoseconds per value of every kernel beside what one would write instead, and the errors of both.
+/// Nanoseconds per value of every kernel and of a plain implementation of the same formula, and the errors of both.
 ///
 ///   brdfplot-bench [Google Benchmark's flags]     the plain listing
 ///   brdfplot-bench --table[=FILE.csv]             a table of ratios and errors, also as CSV

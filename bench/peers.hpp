@@ -1,5 +1,5 @@
 /// \file
-/// What one would write, or call, instead of the kernels. Each function runs over n elements.
+/// Plain implementations of what the kernels compute, and calls of other libraries. Each function runs over n elements.
 #pragma once
 
 #include "math/kernels/kernels.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// What is dear to make and made again and again with the same parameters: figures build a material a sample.
+/// A cache of objects that are expensive to make, such as tables of Lambda: figures build the same material many times.
 #pragma once
 
 #include <deque>

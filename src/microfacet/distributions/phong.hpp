@@ -12,7 +12,7 @@ namespace brdfplot {
 /// Domain n > -1 (the mean slope is infinite from there down) to 2e12, where alpha is 1e-6.
 struct PhongProfile {
   double exponent = 0;
-  double alpha = 1; ///< of the like Beckmann surface, sqrt(2 / (n + 2)) (Walter et al. 2007)
+  double alpha = 1; ///< of the Beckmann surface that is about as rough, sqrt(2 / (n + 2)) (Walter et al. 2007)
   StudentTShape shape;
 
   static ModelSpec spec();
