@@ -29,25 +29,25 @@ struct PanelKind {
   void (*set_range)(PanelPlan& panel, const Extent& data, int columns);
   /// Sets ticks, axis titles, insets and sizes of plots in a grid of the given width.
   void (*measure)(const Figure& figure, FigurePlan& plan, double width);
-  void (*draw)(SvgWriter& svg, const PanelPlan& panel);
+  void (*draw)(SvgWriter& svg, const PanelPlan& plan);
 };
 
 /// Straight axes.
 void set_lines_range(PanelPlan& panel, const Extent& data, int columns);
 void measure_cartesian(const Figure& figure, FigurePlan& plan, double width);
-void draw_lines(SvgWriter& svg, const PanelPlan& panel);
+void draw_lines(SvgWriter& svg, const PanelPlan& plan);
 
 void set_polar_range(PanelPlan& panel, const Extent& data, int columns);
 void measure_polar(const Figure& figure, FigurePlan& plan, double width);
-void draw_polar(SvgWriter& svg, const PanelPlan& panel);
+void draw_polar(SvgWriter& svg, const PanelPlan& plan);
 
 void set_heatmap_range(PanelPlan& panel, const Extent& data, int columns);
-void draw_heatmap(SvgWriter& svg, const PanelPlan& panel);
+void draw_heatmap(SvgWriter& svg, const PanelPlan& plan);
 
 /// The scale of a profile is that of both axes; Share other than none: that of all panels. measure_profile() sets it.
 void set_no_range(PanelPlan& panel, const Extent& data, int columns);
 void measure_profile(const Figure& figure, FigurePlan& plan, double width);
-void draw_profile(SvgWriter& svg, const PanelPlan& panel);
+void draw_profile(SvgWriter& svg, const PanelPlan& plan);
 
 /// In the order of `Kind`.
 inline constexpr std::array panel_kinds = {
