@@ -42,11 +42,11 @@ ColourEstimate over_half_vectors(const T& term, const Direction& o, double toler
   });
 }
 
-/// rho of a term that is a quadrature, with its errors.
+/// Writes rho of a term that is a quadrature, and its errors.
 template <class T>
-void tell_quadratures(const T& term, const Direction& o, const std::vector<Direction>& lights,
-                      const Tolerance& tolerance, const ChannelRange& channels, std::vector<double>& value,
-                      std::vector<double>& error) {
+void write_quadratures(const T& term, const Direction& o, const std::vector<Direction>& lights,
+                       const Tolerance& tolerance, const ChannelRange& channels, std::vector<double>& value,
+                       std::vector<double>& error) {
   for (std::size_t k = 0; k < lights.size(); ++k) {
     const Estimate white = term.brdf(o, lights[k], tolerance);
     for (std::size_t c = 0; c < channels.count; ++c) {
@@ -68,7 +68,7 @@ ColourEstimate over_hemisphere(const T& term, const Direction& o, double toleran
               std::vector<double>& error) {
     const std::size_t n = lights.size();
     if constexpr (requires { term.brdf(o, lights[0], asked); }) {
-      tell_quadratures(term, o, lights, asked, channels, value, error);
+      write_quadratures(term, o, lights, asked, channels, value, error);
     } else {
       all.resize(static_cast<std::size_t>(term.channels()) * n);
       evaluate_term(term, false, rows.with_lights(n, [&](std::size_t k) { return lights[k]; }), all.data());

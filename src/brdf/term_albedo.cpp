@@ -17,7 +17,7 @@ const Distribution* distribution_of(const WeightedTerm& term) {
   return term.surface() != nullptr ? &term.surface()->distribution : term.facets();
 }
 
-/// Tables have two planes for mirrors.
+/// The table is a function of cos 2 phi: E has to be symmetric about x and y.
 void require_symmetry(const WeightedTerm& term) {
   const Distribution* facets = distribution_of(term);
   const bool formula = term.surface() != nullptr && is_formula(term.surface()->masking);
