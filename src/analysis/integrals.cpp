@@ -1,6 +1,7 @@
 #include "analysis/integrals.hpp"
 
 #include "analysis/lobe_peak.hpp"
+#include "analysis/mean_reflectance.hpp"
 #include "base/number.hpp"
 #include "brdf/component_sum.hpp"
 #include "brdf/kinks.hpp"
@@ -160,6 +161,17 @@ bool is_of_surface(Integral integral) {
          integral == Integral::weak_furnace || integral == Integral::weak_furnace_grid;
 }
 
+bool is_of_fresnel(Integral integral) {
+  return integral == Integral::mean_fresnel || integral == Integral::average_fresnel;
+}
+
+/// The term with a microsurface and a Fresnel term.
+const WeightedTerm& mirror_term(const Material& material, const std::string& name) {
+  const WeightedTerm& term = material.term_with_surface(name);
+  if (term.fresnel() == nullptr) throw InputError(material.name, "the term \"" + term.name + "\" has no Fresnel term");
+  return term;
+}
+
 /// The term of the furnace: the one of this name, or the only one.
 const WeightedTerm& furnace_term(const Material& material, const std::string& name) {
   const auto terms = terms_of(material, name);
@@ -215,6 +227,9 @@ const std::vector<IntegralInfo>& integrals() {
        true},
       {Integral::brdf_peak_theta_i, "brdf_peak_theta_i", "angle of the largest rho in the plane of incidence, rad",
        true},
+      {Integral::mean_fresnel, "mean_fresnel", "mean of F over the visible normals, Eq. 105", true},
+      {Integral::average_fresnel, "average_fresnel", "mean of F under light from everywhere, RTR4, Eqs. 9.58-9.60",
+       true},
   };
   return all;
 }
@@ -222,6 +237,8 @@ const std::vector<IntegralInfo>& integrals() {
 void require(const Material& material, const IntegralInfo& info, const std::string& term) {
   if (is_of_surface(info.integral))
     (void)material.surface(term);
+  else if (is_of_fresnel(info.integral))
+    (void)mirror_term(material, term);
   else if (info.integral == Integral::furnace)
     (void)furnace_term(material, term);
   else
@@ -247,6 +264,8 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
   case Integral::albedo:
     return reflected_light(terms_of(material, term), omega_o, tolerance, {c, 1}, every_direction).channel(0);
   case Integral::mean_theta_i: return mean_theta_i(terms_of(material, term), omega_o, tolerance, c);
+  case Integral::mean_fresnel: return mean_visible_reflectance(mirror_term(material, term), omega_o, tolerance, c);
+  case Integral::average_fresnel: return {mean_fresnel(*mirror_term(material, term).fresnel(), c), 1e-12, 0};
   case Integral::brdf_peak_theta_i:
     return peak_theta_i(material, Quantity::brdf, omega_o, narrowest_width(material), channel);
   default: return peak_theta_i(material, Quantity::brdf_cos, omega_o, narrowest_width(material), channel);

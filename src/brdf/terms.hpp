@@ -15,8 +15,10 @@
 #include "brdf/terms/multiple_bounce.hpp"
 #include "brdf/terms/oren_nayar.hpp"
 #include "brdf/terms/shirley.hpp"
+#include "brdf/terms/turquin.hpp"
 #include "brdf/terms/uncharted2.hpp"
 #include "brdf/terms/velvet_cloth.hpp"
+#include "brdf/terms/wrap.hpp"
 
 #include <variant>
 
@@ -29,6 +31,7 @@ using BrdfTerm = TermList<Mirror,         //
                           Kelemen2001,    //
                           Complement,     //
                           MultipleBounce, //
+                          Turquin,        //
                           FacetDiffuse,   //
                           OrenNayarFits,  //
                           FujiiOrenNayar, //
@@ -40,6 +43,7 @@ using BrdfTerm = TermList<Mirror,         //
                           HammonDiffuse,  //
                           DisneySheen,    //
                           VelvetCloth,    //
-                          Uncharted2>;
+                          Uncharted2,     //
+                          Wrap>;
 
 } // namespace brdfplot
