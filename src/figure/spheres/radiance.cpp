@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace brdfplot::plot {
 
@@ -19,9 +20,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Parts of a step of sRGB: what doubling the points of a light may change, and the error of an albedo.
+/// In steps of sRGB: what doubling the points of a light may change, and the error of an albedo.
 constexpr double accepted_change = 0.25;
 constexpr double accepted_albedo = 0.05;
+/// While any place changes by more, a highlight may lie between the points, and all places are computed again.
+constexpr double coarse_change = 8;
 constexpr std::size_t first_rings = 4, most_rings = 64;
 
 /// Nodes and weights of Gauss and Legendre on [0, 1].
@@ -42,83 +45,112 @@ UnitRule gauss_legendre(std::size_t n) {
   return rule;
 }
 
-/// Radiance of places from lights, block by block.
-class Renderer {
-public:
-  Renderer(const Material& material, const std::vector<Place>& places, std::size_t channels, int threads)
-      : material_(material), places_(places), channels_(channels), threads_(threads) {}
+/// What reflects light, and on how many threads that is computed.
+struct Renderer {
+  const Material& material;
+  std::size_t channels;
+  int threads;
 
-  /// Adds rho c_i times the weights of directions to `out`.
-  void add(const std::vector<LightPoint>& points, const Rgb& colour, std::vector<double>& out) const {
-    for_each_block([&](std::size_t first, Frames& frames) {
-      const std::size_t n = frames.size();
-      const auto own = static_cast<std::size_t>(material_.channels());
-      std::vector<double> rho(own * n), sum(own * n);
-      for (const LightPoint& point : points) {
-        if (!frames.set_light(point.direction)) continue;
-        evaluate(material_, Quantity::brdf_cos, {n, frames.omega_o(), frames.omega_i(), {}}, rho.data());
-        for (std::size_t k = 0; k < rho.size(); ++k) sum[k] += point.weight * rho[k];
-      }
-      for (std::size_t c = 0; c < channels_; ++c)
-        for (std::size_t k = 0; k < n; ++k)
-          out[c * places_.size() + first + k] += colour[c] * sum[(own > 1 ? c : 0) * n + k];
-    });
-  }
-
-  void add_environment(const AlbedoTable& table, const Rgb& colour, std::vector<double>& out) const {
-    for_each_block([&](std::size_t first, Frames& frames) {
-      for (std::size_t c = 0; c < channels_; ++c)
-        for (std::size_t k = 0; k < frames.size(); ++k)
-          out[c * places_.size() + first + k] +=
-              colour[c] * table.albedo(table.channels() > 1 ? c : 0, frames.omega_o(k));
-    });
-  }
-
-private:
+  /// Calls `visit` with blocks of places, and where they begin.
   template <class Visit>
-  void for_each_block(const Visit& visit) const {
+  void for_each_block(const std::vector<Place>& places, const Visit& visit) const {
     constexpr std::size_t size = 1024;
-    parallel_for((places_.size() + size - 1) / size, threads_, [&](std::size_t block) {
+    const std::span<const Place> all(places);
+    parallel_for((all.size() + size - 1) / size, threads, [&](std::size_t block) {
       const std::size_t first = block * size;
-      const std::span<const Place> all(places_);
       Frames frames(all.subspan(first, std::min(size, all.size() - first)));
       visit(first, frames);
     });
   }
 
-  const Material& material_;
-  const std::vector<Place>& places_;
-  std::size_t channels_;
-  int threads_;
+  /// The sum of rho c_i over directions with their weights, times the colour.
+  std::vector<double> of_points(const std::vector<LightPoint>& points, const Rgb& colour,
+                                const std::vector<Place>& places) const {
+    std::vector<double> out(channels * places.size());
+    for_each_block(places, [&](std::size_t first, Frames& frames) {
+      const std::size_t n = frames.size();
+      const auto own = static_cast<std::size_t>(material.channels());
+      std::vector<double> rho(own * n), sum(own * n);
+      for (const LightPoint& point : points) {
+        if (!frames.set_light(point.direction)) continue;
+        evaluate(material, Quantity::brdf_cos, {n, frames.omega_o(), frames.omega_i(), {}}, rho.data());
+        for (std::size_t k = 0; k < rho.size(); ++k) sum[k] += point.weight * rho[k];
+      }
+      for (std::size_t c = 0; c < channels; ++c)
+        for (std::size_t k = 0; k < n; ++k)
+          out[c * places.size() + first + k] = colour[c] * sum[(own > 1 ? c : 0) * n + k];
+    });
+    return out;
+  }
+
+  /// The albedo times the colour.
+  std::vector<double> of_environment(const AlbedoTable& table, const Rgb& colour,
+                                     const std::vector<Place>& places) const {
+    std::vector<double> out(channels * places.size());
+    for_each_block(places, [&](std::size_t first, Frames& frames) {
+      for (std::size_t c = 0; c < channels; ++c)
+        for (std::size_t k = 0; k < frames.size(); ++k)
+          out[c * places.size() + first + k] =
+              colour[c] * table.albedo(table.channels() > 1 ? c : 0, frames.omega_o(k));
+    });
+    return out;
+  }
 };
 
-/// The largest difference as it is shown, in steps of sRGB.
-double most_steps(const std::vector<double>& a, const std::vector<double>& b, double exposure) {
-  double most = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    most = std::max(most, 255 * std::fabs(srgb(exposure * a[k]) - srgb(exposure * b[k])));
-  return most;
-}
-
-std::vector<double> of_sphere_light(const Renderer& renderer, const Light& light, std::size_t count, double exposure) {
-  const auto with = [&](std::size_t rings) {
-    std::vector<double> out(count);
-    renderer.add(points_of(light, rings), light.colour.value, out);
-    return out;
-  };
-  std::vector<double> before = with(first_rings);
-  double change = 0;
-  for (std::size_t rings = 2 * first_rings; rings <= most_rings; rings *= 2) {
-    std::vector<double> now = with(rings);
-    change = most_steps(before, now, exposure);
-    if (change <= accepted_change) return now;
-    before = std::move(now);
+/// A sphere light with more and more points, for those places that still change.
+class SphereLight {
+public:
+  SphereLight(const Renderer& renderer, const Light& light, const std::vector<Place>& places, double exposure)
+      : renderer_(renderer), light_(light), places_(places), exposure_(exposure), open_(places.size()) {
+    std::iota(open_.begin(), open_.end(), std::size_t{0});
   }
-  throw AccuracyError("sphere light", "with " + std::to_string(4 * most_rings * most_rings) +
-                                          " points it still changes by " + format_number(change) +
-                                          " steps of sRGB (accepted: " + format_number(accepted_change) +
-                                          "); a smaller light or a rougher material needs fewer");
-}
+
+  std::vector<double> run() {
+    value_ = renderer_.of_points(points_of(light_, first_rings), light_.colour.value, places_);
+    double most = 0;
+    for (std::size_t rings = 2 * first_rings; rings <= most_rings; rings *= 2) {
+      const std::vector<double> change = refine(rings);
+      most = *std::ranges::max_element(change);
+      if (most > coarse_change) continue;
+      keep_changing(change);
+      if (open_.empty()) return value_;
+    }
+    throw AccuracyError("sphere light", "with " + std::to_string(4 * most_rings * most_rings) +
+                                            " points it still changes by " + format_number(most) +
+                                            " steps of sRGB (accepted: " + format_number(accepted_change) +
+                                            "); a smaller light or a rougher material needs fewer");
+  }
+
+private:
+  /// Puts the values of the open places, and tells how far they change, in steps of sRGB.
+  std::vector<double> refine(std::size_t rings) {
+    std::vector<Place> some;
+    for (const std::size_t k : open_) some.push_back(places_[k]);
+    const std::vector<double> now = renderer_.of_points(points_of(light_, rings), light_.colour.value, some);
+    std::vector<double> change(some.size());
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      double& before = value_[k / some.size() * places_.size() + open_[k % some.size()]];
+      const double steps = 255 * std::fabs(srgb(exposure_ * now[k]) - srgb(exposure_ * before));
+      change[k % some.size()] = std::max(change[k % some.size()], steps);
+      before = now[k];
+    }
+    return change;
+  }
+
+  void keep_changing(const std::vector<double>& change) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < change.size(); ++k)
+      if (change[k] > accepted_change) open_[kept++] = open_[k];
+    open_.resize(kept);
+  }
+
+  const Renderer& renderer_;
+  const Light& light_;
+  const std::vector<Place>& places_;
+  double exposure_;
+  std::vector<std::size_t> open_; ///< places that are not done
+  std::vector<double> value_;
+};
 
 AlbedoTable albedo_of(const Material& material, double asked) {
   const auto channels = static_cast<std::size_t>(material.channels());
@@ -174,20 +206,20 @@ std::vector<LightPoint> points_of(const Light& light, std::size_t rings) {
 
 std::vector<double> radiance(const Material& material, const std::vector<Light>& lights,
                              const std::vector<Place>& places, double exposure, int threads) {
-  const std::size_t channels = channels_of(material, lights);
-  const Renderer renderer(material, places, channels, threads);
-  std::vector<double> out(channels * places.size());
+  const Renderer renderer{material, channels_of(material, lights), threads};
+  std::vector<double> out(renderer.channels * places.size());
+  const auto add = [&](const std::vector<double>& more) {
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] += more[k];
+  };
   for (const Light& light : lights) {
     if (light.type == Light::Type::directional)
-      renderer.add({{from_angles(light.theta, light.phi), 1}}, light.colour.value, out);
-    if (light.type != Light::Type::sphere) continue;
-    const std::vector<double> own = of_sphere_light(renderer, light, out.size(), exposure);
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] += own[k];
+      add(renderer.of_points({{from_angles(light.theta, light.phi), 1}}, light.colour.value, places));
+    if (light.type == Light::Type::sphere) add(SphereLight(renderer, light, places, exposure).run());
   }
   const Rgb ground = ground_of(lights);
   const double brightest = exposure * std::max({ground[0], ground[1], ground[2]});
   if (brightest > 0)
-    renderer.add_environment(albedo_of(material, accepted_albedo * finest_step / brightest), ground, out);
+    add(renderer.of_environment(albedo_of(material, accepted_albedo * finest_step / brightest), ground, places));
   return out;
 }
 

@@ -28,8 +28,8 @@ std::vector<LightPoint> points_of(const Light& light, std::size_t rings);
 /// Linear radiance towards the viewer, channel c of place k at [c * n + k]: the sum over lights of
 ///   directional  rho c_i E, E the irradiance
 ///   sphere       the integral of rho c_i L over its solid angle by points_of(): 4 rings, then twice as many until no
-///                place changes by more than a quarter of a step of 8-bit sRGB after the exposure (the curve goes on
-///                above white), at most 64
+///                place changes by more than 8 steps of 8-bit sRGB after the exposure (the curve goes on above white),
+///                and then at each place until it changes by no more than a quarter of a step; at most 64
 ///   environment  the albedo times L, of a table (AlbedoTable) with an error below a twentieth of that step
 /// without light from sphere to sphere. The same for any number of threads.
 /// \throws AccuracyError where 64 rings are not enough, or the albedo's integrals miss
