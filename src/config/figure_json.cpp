@@ -162,7 +162,7 @@ private:
     for (const auto& [kind, key] : {std::pair{plot::Kind::profile, "profile"}, {plot::Kind::spheres, "sphere"}}) {
       if (object.contains(key) == (kind_ == kind)) continue;
       const std::string name(plot::kind_of(kind).name), quoted = "\"" + std::string(key) + "\"";
-      file_.fail(pointer, kind_ == kind ? "a figure of kind \"" + name + "\" has " + quoted + ", not \"series\""
+      file_.fail(pointer, kind_ == kind ? "a " + std::string(key) + " has " + quoted + ", not \"series\""
                                         : "only a figure of kind \"" + name + "\" has " + quoted);
     }
   }
