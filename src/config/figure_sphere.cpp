@@ -12,8 +12,11 @@ namespace {
 
 constexpr std::size_t most_lights = 16;
 
+/// Beyond, nothing is told apart, and products might overflow.
+constexpr double brightest = 1e6;
+
 ShapePtr colour() {
-  const ShapePtr one = number({.min = 0});
+  const ShapePtr one = number({.min = 0, .max = brightest});
   return either({one, array(one, 3, 3)});
 }
 
@@ -83,11 +86,11 @@ void check_material(const JsonFile& file, const plot::SphereDescription& sphere,
 
 ShapePtr sphere_shape() {
   return named("sphere", [] {
-    return object(
-        {{"lights", array(light(), 1, most_lights), false, "what lights it; their light adds up"},
-         {"exposure", number({.min = 0, .open_min = true}), false, "radiance times it is shown, 1 as white; default 1"},
-         {"pixels", whole_number(plot::fewest_pixels, plot::most_pixels), false,
-          "along each side of the picture; default 256"}});
+    return object({{"lights", array(light(), 1, most_lights), false, "what lights it; their light adds up"},
+                   {"exposure", number({.min = 1 / brightest, .max = brightest}), false,
+                    "radiance times it is shown, 1 as white; default 1"},
+                   {"pixels", whole_number(plot::fewest_pixels, plot::most_pixels), false,
+                    "along each side of the picture; default 256"}});
   });
 }
 

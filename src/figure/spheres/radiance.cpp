@@ -1,6 +1,7 @@
 #include "figure/spheres/radiance.hpp"
 
 #include "base/errors.hpp"
+#include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "brdf/albedo_table.hpp"
@@ -161,6 +162,7 @@ AlbedoTable albedo_of(const Material& material, double asked) {
   AlbedoTable table(
       channels, isotropic,
       [&](const Direction& o) {
+        throw_if_interrupted();
         return reflected_light(terms, o, 0.1 * tolerance, {0, channels}, every_direction);
       },
       tolerance);
