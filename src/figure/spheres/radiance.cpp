@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "brdf/albedo_table.hpp"
 #include "brdf/reflected_light.hpp"
+#include "draw/number_text.hpp"
 #include "figure/spheres/srgb.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
@@ -26,7 +27,7 @@ constexpr double accepted_change = 0.25;
 constexpr double accepted_albedo = 0.05;
 /// While any place changes by more, a highlight may lie between the points, and all places are computed again.
 constexpr double coarse_change = 8;
-constexpr std::size_t first_rings = 4, most_rings = 64;
+constexpr std::size_t first_rings = 4, most_coarse_rings = 64, most_rings = 256;
 
 /// Nodes and weights of Gauss and Legendre on [0, 1].
 struct UnitRule {
@@ -108,21 +109,24 @@ public:
 
   std::vector<double> run() {
     value_ = renderer_.of_points(points_of(light_, first_rings), light_.colour.value, places_);
-    double most = 0;
-    for (std::size_t rings = 2 * first_rings; rings <= most_rings; rings *= 2) {
+    for (std::size_t rings = 2 * first_rings;; rings *= 2) {
       const std::vector<double> change = refine(rings);
-      most = *std::ranges::max_element(change);
-      if (most > coarse_change) continue;
-      keep_changing(change);
+      const double most = *std::ranges::max_element(change);
+      const bool coarse = most > coarse_change;
+      if (!coarse) keep_changing(change);
       if (open_.empty()) return value_;
+      if (rings >= (coarse ? most_coarse_rings : most_rings)) fail(rings, most);
     }
-    throw AccuracyError("sphere light", "with " + std::to_string(4 * most_rings * most_rings) +
-                                            " points it still changes by " + format_number(most) +
-                                            " steps of sRGB (accepted: " + format_number(accepted_change) +
-                                            "); a smaller light or a rougher material needs fewer");
   }
 
 private:
+  [[noreturn]] static void fail(std::size_t rings, double change) {
+    throw AccuracyError("sphere light", "with " + std::to_string(4 * rings * rings) + " points it still changes by " +
+                                            decimal_label(change, 2) +
+                                            " steps of sRGB (accepted: " + decimal_label(accepted_change, 2) +
+                                            "); a smaller light or a rougher material needs fewer");
+  }
+
   /// Puts the values of the open places, and tells how far they change, in steps of sRGB.
   std::vector<double> refine(std::size_t rings) {
     std::vector<Place> some;

@@ -29,10 +29,12 @@ std::vector<LightPoint> points_of(const Light& light, std::size_t rings);
 ///   directional  rho c_i E, E the irradiance
 ///   sphere       the integral of rho c_i L over its solid angle by points_of(): 4 rings, then twice as many until no
 ///                place changes by more than 8 steps of 8-bit sRGB after the exposure (the curve goes on above white),
-///                and then at each place until it changes by no more than a quarter of a step; at most 64
+///                at most 64, and then at each place until it changes by no more than a quarter of a step, at most 256.
+///                Measured against 160 rings, for GGX and Beckmann, alpha = 0.03 to 1, radii of 2 to 90 degrees: within
+///                0.26 steps
 ///   environment  the albedo times L, of a table (AlbedoTable) with an error below a twentieth of that step
 /// without light from sphere to sphere. The same for any number of threads.
-/// \throws AccuracyError where 64 rings are not enough, or the albedo's integrals miss
+/// \throws AccuracyError where so many rings are not enough, or the albedo's integrals miss
 std::vector<double> radiance(const Material& material, const std::vector<Light>& lights,
                              const std::vector<Place>& places, double exposure, int threads);
 
