@@ -11,7 +11,7 @@ namespace brdfplot::plot {
 inline constexpr int fewest_pixels = 16, most_pixels = 2048; ///< along each side
 
 /// What is wrong with a sphere, if anything is. The material is built where its settings have been tried.
-std::optional<ParameterError> problem_of(const SphereDescription& description);
+std::optional<ParameterError> problem_of(const SphereDescription& sphere);
 
 /// The radius of a sphere, in sides of its picture: some ground is seen about it.
 inline constexpr double radius_in_picture = 0.46;
