@@ -19,9 +19,7 @@ const Distribution* distribution_of(const WeightedTerm& term) {
 
 /// The table is a function of cos 2 phi: E has to be symmetric about x and y.
 void require_symmetry(const WeightedTerm& term) {
-  const Distribution* facets = distribution_of(term);
-  const bool formula = term.surface() != nullptr && is_formula(term.surface()->masking);
-  if (formula || (facets != nullptr && !is_aligned(*facets)))
+  if (!has_mirror_planes(term))
     throw MaterialError("/of", "\"" + term.name +
                                    "\" is not symmetric about x and y; accepted: a term that is centred, "
                                    "without correlation, and without a masking formula");
@@ -81,6 +79,12 @@ std::string key_of(const TermDescription& d) {
 }
 
 } // namespace
+
+bool has_mirror_planes(const WeightedTerm& term) {
+  const Distribution* facets = distribution_of(term);
+  const bool formula = term.surface() != nullptr && is_formula(term.surface()->masking);
+  return !formula && (facets == nullptr || is_aligned(*facets));
+}
 
 struct TermAlbedo::Shared {
   WeightedTerm term;

@@ -35,6 +35,11 @@ HEATMAP = {
     "x": {"variable": "theta_o", "from": 0, "to": 1.5}, "y": {"variable": "alpha", "from": 0.1, "to": 1},
     "material": {"distribution": {"type": "beckmann", "alpha": 0.5}},
     "panels": [{"series": [{"quantity": "g1"}]}]}
+SPHERES = {
+    "id": "spheres", "kind": "spheres", "title": "Spheres", "caption": "Two.",
+    "material": {"distribution": {"type": "ggx", "alpha": 0.5}},
+    "sphere": {"pixels": 16, "lights": [{"type": "directional", "theta": 0.5, "irradiance": [1, 2, 3]}]},
+    "panels": [{"sphere": {}}, {"sphere": {"lights": [{"type": "environment", "radiance": 0.5}]}}]}
 REPORT = {
     "title": "Three things", "introduction": "They are small.",
     "entries": [
@@ -48,7 +53,7 @@ REPORT = {
 COMMANDS = {
     "report": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "1"],
     "eval": ["eval", "material.json", "-q", "g1,brdf", "-i", "points.csv", "-o", "out/values.csv", "--threads", "1"],
-    "plot": ["plot", "map.json", "-o", "out", "--cache", "cache", "--threads", "1"],
+    "plot": ["plot", "map.json", "spheres.json", "-o", "out", "--cache", "cache", "--threads", "1"],
     "check": ["check", "material.json", "--csv", "-o", "out/check.csv", "--threads", "1"],
     "validate": ["validate", "report.json", "material.json"],
     "threads": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "2"],
@@ -64,7 +69,7 @@ ERROR = re.compile(rb"brdfplot: error: [^\n]+\n")
 
 
 def write_inputs(folder, configs):
-    for name, value in (("curve", CURVE), ("map", HEATMAP), ("report", REPORT)):
+    for name, value in (("curve", CURVE), ("map", HEATMAP), ("spheres", SPHERES), ("report", REPORT)):
         (folder / f"{name}.json").write_text(json.dumps(value))
     shutil.copy(Path(configs) / "materials/ggx.json", folder / "material.json")
     (folder / "data.csv").write_text("function,error\nf,0.5\n")
