@@ -94,7 +94,9 @@ ColourEstimate reflected_light(const BrdfTerm& term, const Direction& omega_o, d
                                const ChannelRange& channels, const LightWeight& weight) {
   return std::visit(
       [&](const auto& one) {
-        if constexpr (requires { one.about_half_vector; })
+        if constexpr (requires { one.reflected_light(omega_o, tolerance, channels, weight); })
+          return one.reflected_light(omega_o, tolerance, channels, weight);
+        else if constexpr (requires { one.about_half_vector; })
           return over_half_vectors(one, omega_o, tolerance, channels, weight);
         else
           return over_hemisphere(one, omega_o, tolerance, channels, weight);

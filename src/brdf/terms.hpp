@@ -11,6 +11,7 @@
 #include "brdf/terms/hammon_diffuse.hpp"
 #include "brdf/terms/kelemen.hpp"
 #include "brdf/terms/lambert.hpp"
+#include "brdf/terms/merl.hpp"
 #include "brdf/terms/mirror.hpp"
 #include "brdf/terms/multiple_bounce.hpp"
 #include "brdf/terms/oren_nayar.hpp"
@@ -40,6 +41,7 @@ using BrdfTerm = TermList<Mirror,         //
                           HammonDiffuse,  //
                           DisneySheen,    //
                           VelvetCloth,    //
-                          Uncharted2>;
+                          Uncharted2,     //
+                          Merl>;
 
 } // namespace brdfplot

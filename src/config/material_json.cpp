@@ -113,7 +113,12 @@ void read_microsurface(const Json& value, MicrosurfaceDescription& surface) {
   if (value.contains("shadowing")) surface.shadowing = to_choice<Shadowing>(value["shadowing"]);
 }
 
-TermDescription read_term(const Json& value) {
+/// What stands in a file names other files relative to it.
+std::string beside(const JsonFile& file, const std::string& pointer, const std::string& path) {
+  return (std::filesystem::path(file.file(pointer)).parent_path() / path).string();
+}
+
+TermDescription read_term(const JsonFile& file, const Json& value, const std::string& pointer) {
   TermDescription term;
   term.type = value["type"].get<std::string>();
   if (value.contains("name")) term.name = value["name"].get<std::string>();
@@ -123,11 +128,15 @@ TermDescription read_term(const Json& value) {
   }
   if (value.contains("distribution")) read_microsurface(value, term);
   if (value.contains("of") && value["of"].is_string()) term.of_name = value["of"].get<std::string>();
-  if (value.contains("of") && value["of"].is_object()) term.of = {read_term(value["of"])};
+  if (value.contains("of") && value["of"].is_object()) term.of = {read_term(file, value["of"], pointer + "/of")};
   if (value.contains("fresnel")) term.fresnel = to_choice<Fresnel>(value["fresnel"]);
   const auto spec = std::ranges::find_if(term_specs(), [&](const TermSpec& s) { return s.spec.type == term.type; });
   for (const ParameterSpec& parameter : spec->spec.parameters)
-    if (value.contains(parameter.key)) term.values.set(parameter.key, to_value(value[parameter.key], parameter));
+    if (parameter.kind == ParameterKind::text && value.contains(parameter.key))
+      term.values.set(parameter.key,
+                      beside(file, pointer + "/" + parameter.key, value[parameter.key].get<std::string>()));
+    else if (value.contains(parameter.key))
+      term.values.set(parameter.key, to_value(value[parameter.key], parameter));
   return term;
 }
 
@@ -177,7 +186,8 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
   material.listed = value.contains("terms");
   try {
     if (material.listed)
-      for (const Json& term : value["terms"]) material.terms.push_back(read_term(term));
+      for (std::size_t k = 0; k < value["terms"].size(); ++k)
+        material.terms.push_back(read_term(file, value["terms"][k], pointer + pointer_of_term(material, k)));
     else
       material.terms.push_back(read_short(value));
     build(material);
