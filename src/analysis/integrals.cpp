@@ -231,6 +231,15 @@ void require(const Material& material, const IntegralInfo& info, const std::stri
     (void)furnace_term(material, term);
   else
     (void)terms_of(material, term);
+  if (!is_peak(info.integral)) return;
+  for (const WeightedTerm& one : material.terms)
+    if (std::visit(
+            [](const auto& t) {
+              return requires { t.piecewise_constant; };
+            },
+            one.term))
+      throw InputError(material.name, "\"" + info.name + "\" is a place on a smooth lobe, and the term \"" + one.name +
+                                          "\" has steps; accepted: a material without it");
 }
 
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o, double tolerance, int channel,

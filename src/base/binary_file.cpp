@@ -18,14 +18,17 @@ const std::string& require_regular(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw InputError(echo(path, shown_path), "is no regular file");
+    throw FileError(echo(path, shown_path), "cannot read: it is no regular file");
   return path;
 }
 
 } // namespace
 
-BinaryFile::BinaryFile(const std::string& path)
-    : path_(require_regular(path)), file_(path == "-" ? "./-" : path), size_(std::filesystem::file_size(path)) {}
+BinaryFile::BinaryFile(const std::string& path) : path_(require_regular(path)), file_(path == "-" ? "./-" : path) {
+  std::error_code error;
+  size_ = std::filesystem::file_size(path, error);
+  if (error) throw FileError(echo(path, shown_path), "cannot read: " + error.message());
+}
 
 void BinaryFile::read(std::span<std::byte> to, const std::string& what) {
   if (to.size() > left()) fail("ends within " + what);

@@ -19,7 +19,7 @@ namespace brdfplot {
 /// compared with what is left() before memory is taken for it.
 class BinaryFile {
 public:
-  /// \throws FileError when it cannot be opened; InputError when it is no regular file, and has no length.
+  /// \throws FileError when it cannot be opened, or is no regular file, and has no length
   explicit BinaryFile(const std::string& path);
 
   const std::string& path() const { return path_; }

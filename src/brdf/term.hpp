@@ -72,6 +72,7 @@ inline ChannelRows rows_from(double* out, std::size_t first, std::size_t n, int 
 ///                            distribution, kinks(omega_o, channels) where the rest is not smooth; else rho is smooth
 ///                            on the scale of the hemisphere
 ///   reflected_light(o, tolerance, channels, weight)  its own rule for integrals over the light (reflected_light.hpp)
+///   piecewise_constant       rho has steps and no slope: where it is largest is a range, not a place
 ///   brdf(o, i, tolerance)    rho of albedo 1 with an error, where it is a quadrature; else rho is a closed form
 template <class T>
 concept TermModel = requires(const T& term, const PairBlock& pairs, SurfaceBlock& work, const ChannelRows& out,

@@ -265,7 +265,9 @@ TEST_CASE("a broken MERL file is one line that says what is wrong") {
     CHECK(error(merl_file({2, 2, 2}, values)).find("for green in the cell (theta_h 0, theta_d 0, phi_d 1)") !=
           std::string::npos);
   }
-  CHECK(bad_input([&] { read_merl(folder.path()); }).find("is no regular file") != std::string::npos);
+  CHECK_THROWS_WITH_AS(read_merl(folder.path()), (folder.path() + ": cannot read: it is no regular file").c_str(),
+                       FileError);
+  CHECK_THROWS_AS(read_merl(folder.path() + "/none"), FileError);
 }
 
 TEST_CASE("a negative number is no value: in a cell that reaches below the horizon there is no light") {
@@ -286,4 +288,12 @@ TEST_CASE("a file that has changed is read again") {
   CHECK(rho(build(measured("merl", path)), o, o) == doctest::Approx(1).epsilon(1e-14));
   folder.write("one.binary", merl_file({1, 1, 2}, {3000, 3000, 0, 0, 0, 0}));
   CHECK(rho(build(measured("merl", path)), o, o) == doctest::Approx(2).epsilon(1e-14));
+}
+
+TEST_CASE("a table with steps has no peak") {
+  const MeasuredFolder folder;
+  const Material table = build(measured("merl", folder.write("one.binary", merl_file({1, 1, 1}, {1500, 0, 0}))));
+  for (const IntegralInfo& info : integrals())
+    if (info.name.find("peak") != std::string::npos)
+      CHECK(bad_input([&] { require(table, info); }).find("has steps") != std::string::npos);
 }

@@ -156,8 +156,7 @@ std::vector<double> cuts(const MerlGrid& grid, double theta_o) {
   for (std::size_t k = 0; k < grid.theta_h; ++k) all.push_back(grid.theta_h_at(static_cast<double>(k)));
   std::erase_if(all, [&](double angle) { return angle > last; });
   std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include "brdf/measured/measured_file.hpp"
 #include "brdf/measured/merl_integral.hpp"
+#include "brdf/measured/merl_table.hpp"
 #include "brdf/terms/flat.hpp"
 
 namespace brdfplot {

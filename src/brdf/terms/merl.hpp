@@ -3,7 +3,6 @@
 #pragma once
 
 #include "brdf/kinks.hpp"
-#include "brdf/measured/merl_table.hpp"
 #include "brdf/term.hpp"
 
 #include <functional>
@@ -11,10 +10,13 @@
 
 namespace brdfplot {
 
+class MerlTable;
+
 /// rho of three channels from a MERL file (see read_merl()), isotropic and reciprocal by its coordinates. rho is that
 /// of the cell in which the pair lies, as MERL's own reader has it: piecewise constant, with a jump at the edges of
 /// cells and nothing in between. An edge belongs to the cell beyond it.
 struct Merl {
+  static constexpr bool piecewise_constant = true;
   std::shared_ptr<const MerlTable> table;
 
   static ModelSpec spec();
