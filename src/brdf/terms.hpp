@@ -15,6 +15,7 @@
 #include "brdf/terms/mirror.hpp"
 #include "brdf/terms/multiple_bounce.hpp"
 #include "brdf/terms/oren_nayar.hpp"
+#include "brdf/terms/rgl.hpp"
 #include "brdf/terms/shirley.hpp"
 #include "brdf/terms/uncharted2.hpp"
 #include "brdf/terms/velvet_cloth.hpp"
@@ -42,6 +43,7 @@ using BrdfTerm = TermList<Mirror,         //
                           DisneySheen,    //
                           VelvetCloth,    //
                           Uncharted2,     //
-                          Merl>;
+                          Merl,           //
+                          Rgl>;
 
 } // namespace brdfplot
