@@ -16,6 +16,7 @@ import random
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -52,6 +53,8 @@ COMMANDS = {
     "check": ["check", "material.json", "--csv", "-o", "out/check.csv", "--threads", "1"],
     "validate": ["validate", "report.json", "material.json"],
     "threads": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "2"],
+    "measured": ["eval", "measured.json", "-q", "brdf", "-i", "points.csv", "-o", "out/values.csv", "--threads", "1"],
+    "convert": ["convert", "material.json", "-o", "out/table.binary", "--threads", "1"],
     "stream": ["eval", "material.json", "-q", "g1,albedo", "-i", "points.csv", "-o", "out/values.csv", "--threads", "2"],
 }
 
@@ -67,6 +70,8 @@ def write_inputs(folder, configs):
     for name, value in (("curve", CURVE), ("map", HEATMAP), ("report", REPORT)):
         (folder / f"{name}.json").write_text(json.dumps(value))
     shutil.copy(Path(configs) / "materials/ggx.json", folder / "material.json")
+    (folder / "measured.json").write_text(json.dumps({"terms": [{"type": "merl", "file": "table.binary"}]}))
+    (folder / "table.binary").write_bytes(struct.pack("<3i", 4, 3, 5) + struct.pack("<180d", *range(180)))
     (folder / "data.csv").write_text("function,error\nf,0.5\n")
     rows = [f"{0.05 + 0.0007 * k:.4f},{0.1 + 0.0005 * k:.4f},{0.003 * k:.3f}" for k in range(40)]
     (folder / "points.csv").write_text("theta_o,theta_i,phi_i\n" + "\n".join(rows) + "\n")
