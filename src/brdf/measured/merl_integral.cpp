@@ -1,5 +1,7 @@
 #include "brdf/measured/merl_integral.hpp"
 
+#include "base/interrupt.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -95,6 +97,7 @@ public:
 
 private:
   std::array<double, 3> over_circle(double theta_h) const {
+    throw_if_interrupted();
     const MerlGrid& grid = table_.grid();
     const std::size_t row =
         grid.cell_of({.theta_h = theta_h, .phi_h = 0, .theta_d = 0, .phi_d = 0}) / grid.phi_d / grid.theta_d;

@@ -70,7 +70,7 @@ std::string merl_bytes(const MerlGrid& grid, const MerlSampler& sample) {
   constexpr std::size_t most = 16384;
   std::string bytes;
   const auto append = [&](auto number) {
-    std::array<std::byte, sizeof(number)> raw = std::bit_cast<std::array<std::byte, sizeof(number)>>(number);
+    auto raw = std::bit_cast<std::array<std::byte, sizeof(number)>>(number);
     if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
     for (const std::byte b : raw) bytes += static_cast<char>(b);
   };

@@ -1,5 +1,6 @@
 #include "brdf/terms/rgl.hpp"
 
+#include "base/interrupt.hpp"
 #include "brdf/measured/measured_file.hpp"
 #include "brdf/measured/rgl_table.hpp"
 #include "brdf/terms/flat.hpp"
@@ -41,6 +42,7 @@ ColourEstimate Rgl::reflected_light(const Direction& omega_o, double tolerance, 
   const Direction along = sin_o > 0 ? (1 / sin_o) * Direction{omega_o.x, omega_o.y, 0} : Direction{1, 0, 0};
   // x: a part of what is above the horizon of u = sqrt(2 theta_h / pi); y: phi_h from the viewer's, in half turns.
   const PlaneFunction f = [&](std::size_t, const double* x, const double* y, double* out, std::size_t n) {
+    throw_if_interrupted();
     for (std::size_t k = 0; k < n; ++k) {
       const double c = std::cos(pi * y[k]), s = std::sin(pi * y[k]);
       // i.z > 0: cos theta_o cos 2 theta_h + sin theta_o cos phi sin 2 theta_h > 0.
