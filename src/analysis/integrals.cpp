@@ -100,10 +100,15 @@ Estimate visible_of_lambda(Integral integral, const Microsurface& surface, const
   return {scale * area.value, scale * area.error, area.evaluations};
 }
 
-/// Of one term, with F = 1 or an albedo of 1.
+/// Of one term, with F = 1 or an albedo of 1; of the channels of what is measured, which cannot be made white, the
+/// largest.
 Estimate furnace(const WeightedTerm& weighted, const Direction& o, double tolerance) {
   const BrdfTerm white = std::visit([](const auto& term) -> BrdfTerm { return term.white(); }, weighted.term);
-  return reflected_light(white, o, tolerance, {}, every_direction).channel(0);
+  const int channels = std::visit([](const auto& term) { return term.channels(); }, white);
+  const ChannelRange all{0, static_cast<std::size_t>(channels)};
+  const ColourEstimate light = reflected_light(white, o, tolerance, all, every_direction);
+  const auto largest = std::ranges::max_element(light.value) - light.value.begin();
+  return light.channel(static_cast<std::size_t>(largest));
 }
 
 /// Appendix C: theta over the whole sphere and phi, both in steps of 0.05.
@@ -243,6 +248,15 @@ void require(const Material& material, const IntegralInfo& info, const std::stri
     (void)furnace_term(material, term);
   else
     (void)terms_of(material, term);
+  if (!is_peak(info.integral)) return;
+  for (const WeightedTerm& one : material.terms)
+    if (std::visit(
+            [](const auto& t) {
+              return requires { t.piecewise_constant; };
+            },
+            one.term))
+      throw InputError(material.name, "\"" + info.name + "\" is a place on a smooth lobe, and the term \"" + one.name +
+                                          "\" has steps; accepted: a material without it");
 }
 
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o, double tolerance, int channel,

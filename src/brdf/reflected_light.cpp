@@ -111,15 +111,32 @@ ColourEstimate over_hemisphere(const T& term, const std::vector<Coat>& coats, co
   return integrate_hemisphere(map, f, o, tolerance, weight);
 }
 
-} // namespace
-
-namespace {
+/// Of a term that brings a rule: what its coats let through, of each channel, goes with the weight of the light.
+template <class T>
+ColourEstimate by_its_own_rule(const T& term, const std::vector<Coat>& coats, const Direction& o, double tolerance,
+                               const ChannelRange& channels, const LightWeight& weight) {
+  if (coats.empty()) return term.reflected_light(o, tolerance, channels, weight);
+  ColourEstimate all;
+  for (std::size_t c = 0; c < channels.count; ++c) {
+    const std::size_t channel = channels.first + c;
+    const LightWeight seen = [&](const Direction& i) {
+      return weight(i) * let_through(coats, {&o.x, &o.y, &o.z}, {&i.x, &i.y, &i.z}, 1, 3)[channel];
+    };
+    const Estimate one = term.reflected_light(o, tolerance, {channel, 1}, seen).channel(0);
+    all.value[c] = one.value;
+    all.error[c] = one.error;
+    all.evaluations += one.evaluations;
+  }
+  return all;
+}
 
 ColourEstimate under_coats(const BrdfTerm& term, const std::vector<Coat>& coats, const Direction& omega_o,
                            double tolerance, const ChannelRange& channels, const LightWeight& weight) {
   return std::visit(
       [&](const auto& one) {
-        if constexpr (requires { one.about_half_vector; })
+        if constexpr (requires { one.reflected_light(omega_o, tolerance, channels, weight); })
+          return by_its_own_rule(one, coats, omega_o, tolerance, channels, weight);
+        else if constexpr (requires { one.about_half_vector; })
           return over_half_vectors(one, coats, omega_o, tolerance, channels, weight);
         else
           return over_hemisphere(one, coats, omega_o, tolerance, channels, weight);

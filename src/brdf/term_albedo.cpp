@@ -25,6 +25,19 @@ void require_symmetry(const WeightedTerm& term) {
                                    "without correlation, and without a masking formula");
 }
 
+/// What has a rule of its own is measured, and its albedo takes seconds to 1e-6 and is hardly known better.
+void require_smooth(const WeightedTerm& term) {
+  const bool measured = std::visit(
+      [](const auto& t) {
+        return requires { t.reflected_light(Direction{}, 0.0, ChannelRange{}, every_direction); };
+      },
+      term.term);
+  if (measured)
+    throw MaterialError("/of", "\"" + term.name +
+                                   "\" is measured, and its albedo not known as closely as a table of it "
+                                   "takes; accepted: a term that is a formula");
+}
+
 AlbedoTable table_of(const WeightedTerm& term) {
   const double tolerance = term.is_isotropic() ? 1e-8 : 1e-7; // of two dimensions, which takes seconds
   constexpr double largest_error = 1e-6;
@@ -97,6 +110,7 @@ TermAlbedo::TermAlbedo(const TermDescription& term)
         auto shared = std::make_shared<Shared>();
         shared->term = build_term(term);
         require_symmetry(shared->term);
+        require_smooth(shared->term);
         return shared;
       })) {}
 

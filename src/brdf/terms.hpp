@@ -11,9 +11,11 @@
 #include "brdf/terms/hammon_diffuse.hpp"
 #include "brdf/terms/kelemen.hpp"
 #include "brdf/terms/lambert.hpp"
+#include "brdf/terms/merl.hpp"
 #include "brdf/terms/mirror.hpp"
 #include "brdf/terms/multiple_bounce.hpp"
 #include "brdf/terms/oren_nayar.hpp"
+#include "brdf/terms/rgl.hpp"
 #include "brdf/terms/shirley.hpp"
 #include "brdf/terms/turquin.hpp"
 #include "brdf/terms/uncharted2.hpp"
@@ -44,6 +46,8 @@ using BrdfTerm = TermList<Mirror,         //
                           DisneySheen,    //
                           VelvetCloth,    //
                           Uncharted2,     //
-                          Wrap>;
+                          Wrap,           //
+                          Merl,           //
+                          Rgl>;
 
 } // namespace brdfplot

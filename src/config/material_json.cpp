@@ -133,14 +133,32 @@ const TermSpec& spec_of(const Json& term) {
   return *std::ranges::find_if(term_specs(), [&](const TermSpec& s) { return s.spec.type == type; });
 }
 
-Values read_values(const Json& value, const ModelSpec& spec) {
+/// Where a material stands.
+struct Site {
+  const JsonFile& file;
+  const std::string& pointer;
+
+  /// What stands in a file names other files relative to it.
+  std::string beside(const std::string& place, const std::string& path) const {
+    return (std::filesystem::path(file.file(pointer + place)).parent_path() / path).string();
+  }
+};
+
+/// `place` is where the model stands within the material.
+Values read_values(const Site& site, const Json& value, const std::string& place, const ModelSpec& spec) {
   Values values;
-  for (const ParameterSpec& parameter : spec.parameters)
-    if (value.contains(parameter.key)) values.set(parameter.key, to_value(value[parameter.key], parameter));
+  for (const ParameterSpec& parameter : spec.parameters) {
+    if (!value.contains(parameter.key)) continue;
+    const Json& given = value[parameter.key];
+    if (parameter.kind == ParameterKind::text)
+      values.set(parameter.key, site.beside(place + "/" + parameter.key, given.get<std::string>()));
+    else
+      values.set(parameter.key, to_value(given, parameter));
+  }
   return values;
 }
 
-TermDescription read_term(const Json& value, const std::string& place) {
+TermDescription read_term(const Site& site, const Json& value, const std::string& place) {
   TermDescription term;
   const TermSpec& spec = spec_of(value);
   term.type = spec.spec.type;
@@ -153,28 +171,28 @@ TermDescription read_term(const Json& value, const std::string& place) {
     if (spec_of(value["of"]).of_layers)
       throw MaterialError(place + "/of/type", "found \"" + value["of"]["type"].get<std::string>() +
                                                   "\", which is several terms; accepted: one term");
-    term.of = {read_term(value["of"], place + "/of")};
+    term.of = {read_term(site, value["of"], place + "/of")};
   }
   if (value.contains("fresnel")) term.fresnel = to_choice<Fresnel>(value["fresnel"]);
-  term.values = read_values(value, spec.spec);
+  term.values = read_values(site, value, place, spec.spec);
   return term;
 }
 
 /// A term, or the terms that a coated one is made of.
-std::vector<TermDescription> read_terms(const Json& value, const std::string& place) {
+std::vector<TermDescription> read_terms(const Site& site, const Json& value, const std::string& place) {
   const TermSpec& spec = spec_of(value);
-  if (!spec.of_layers) return {read_term(value, place)};
+  if (!spec.of_layers) return {read_term(site, value, place)};
   if (const TermSpec& coat = spec_of(value["coat"]); coat.of_layers || coat.of_another)
     throw MaterialError(place + "/coat/type",
                         "found \"" + coat.spec.type + "\"; accepted: a term that is not made of others");
   LayerDescription layer{value.contains("name") ? value["name"].get<std::string>() : spec.spec.type, read_weight(value),
-                         "", read_values(value, spec.spec), place};
-  std::vector<TermDescription> all = {read_term(value["coat"], place + "/coat")};
+                         "", read_values(site, value, place, spec.spec), place};
+  std::vector<TermDescription> all = {read_term(site, value["coat"], place + "/coat")};
   if (all[0].name.empty()) all[0].name = "coat";
   all[0].layers.push_back(layer);
   layer.coat = all[0].name;
   for (std::size_t k = 0; k < value["base"].size(); ++k)
-    for (TermDescription& term : read_terms(value["base"][k], place + "/base/" + std::to_string(k))) {
+    for (TermDescription& term : read_terms(site, value["base"][k], place + "/base/" + std::to_string(k))) {
       term.layers.insert(term.layers.begin(), layer);
       all.push_back(std::move(term));
     }
@@ -228,7 +246,7 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
   try {
     if (material.listed)
       for (std::size_t k = 0; k < value["terms"].size(); ++k)
-        for (TermDescription& term : read_terms(value["terms"][k], "/terms/" + std::to_string(k)))
+        for (TermDescription& term : read_terms({file, pointer}, value["terms"][k], "/terms/" + std::to_string(k)))
           material.terms.push_back(std::move(term));
     else
       material.terms.push_back(read_short(value));

@@ -18,6 +18,8 @@ namespace brdfplot::plot {
 
 /// A variable with its value; what is set is not swept. Variables are
 /// - directions: theta_o, phi_o, theta_i, phi_i, theta_m, phi_m (radians);
+/// - or, instead of those of o and i, their half and difference angles: theta_h, phi_h, theta_d, phi_d (see
+///   math/half_difference.hpp); the thetas both, a phi that is not set is 0;
 /// - `a`: theta_o such that 1 / (alpha_o tan theta_o) = a; `slope`: theta_m = atan slope;
 /// - transformations of the whole configuration, directions included: stretch_x, stretch_y (Heitz 2014, section 5.1),
 ///   shear_x, shear_y (section 5.5);
