@@ -146,6 +146,14 @@ ColourEstimate under_coats(const BrdfTerm& term, const std::vector<Coat>& coats,
 
 } // namespace
 
+bool is_measured(const BrdfTerm& term) {
+  return std::visit(
+      [](const auto& one) {
+        return requires { one.reflected_light(Direction{}, 0.0, ChannelRange{}, every_direction); };
+      },
+      term);
+}
+
 ColourEstimate reflected_light(const BrdfTerm& term, const Direction& omega_o, double tolerance,
                                const ChannelRange& channels, const LightWeight& weight) {
   return under_coats(term, {}, omega_o, tolerance, channels, weight);

@@ -24,6 +24,10 @@ ColourEstimate reflected_light(const BrdfTerm& term, const Direction& omega_o, d
 ColourEstimate reflected_light(const std::vector<const WeightedTerm*>& terms, const Direction& omega_o,
                                double tolerance, const ChannelRange& channels, const LightWeight& weight);
 
+/// Whether a term brings a rule of its own: it is measured, and its integrals are known less closely than those of a
+/// formula.
+bool is_measured(const BrdfTerm& term);
+
 /// The weight of an albedo: 1.
 inline double every_direction(const Direction&) { return 1; }
 

@@ -27,12 +27,7 @@ void require_symmetry(const WeightedTerm& term) {
 
 /// What has a rule of its own is measured, and its albedo takes seconds to 1e-6 and is hardly known better.
 void require_smooth(const WeightedTerm& term) {
-  const bool measured = std::visit(
-      [](const auto& t) {
-        return requires { t.reflected_light(Direction{}, 0.0, ChannelRange{}, every_direction); };
-      },
-      term.term);
-  if (measured)
+  if (is_measured(term.term))
     throw MaterialError("/of", "\"" + term.name +
                                    "\" is measured, and its albedo not known as closely as a table of it "
                                    "takes; accepted: a term that is a formula");

@@ -3,6 +3,7 @@
 
 #include "analysis/integrals.hpp"
 #include "base/errors.hpp"
+#include "brdf/measured.hpp"
 #include "figure/spheres/radiance.hpp"
 #include "figure/spheres/srgb.hpp"
 #include "materials.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace {
@@ -165,6 +167,41 @@ TEST_CASE("spheres: Lambert's under each light") {
     CHECK(steps(half[k], 0.6 * (1 + c)) < 0.25);
     CHECK(steps(around[k], 0.3) < 0.05);
   }
+}
+
+TEST_CASE("spheres: light that reaches a place from below its horizon counts where the BRDF says so") {
+  TermDescription wrap;
+  wrap.name = wrap.type = "wrap";
+  wrap.values.set("w", 0.5);
+  const Material material = build(MaterialDescription(wrap));
+  // All the places of a block have the light below their horizons, and are within the wrap's reach or beyond.
+  std::vector<Place> all;
+  for (int k = 0; k < 40; ++k) all.push_back({-0.02 * k, 0});
+  const double theta = 95 * degree;
+  const auto found = radiance(material, {directional(theta, 0, 2)}, all, 1, 1);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Direction n = frame_at(all[k]).normal;
+    REQUIRE(cosine(all[k], theta, 0) < 0);
+    const Frame f = frame_at(all[k]);
+    const Direction light = from_angles(theta, 0);
+    const double expected =
+        2 * evaluate(material, Quantity::brdf_cos, {f.tangent.z, f.bitangent.z, n.z},
+                     Direction{dot(f.tangent, light), dot(f.bitangent, light), dot(n, light)}, std::nullopt);
+    CHECK(found[k] == doctest::Approx(expected).epsilon(1e-14));
+  }
+  CHECK(found.front() > 0.1);
+}
+
+TEST_CASE("spheres: what is measured is not put into an environment") {
+  const test::MeasuredFolder folder;
+  std::string bytes; // one cell
+  for (int k = 0; k < 3; ++k) test::append_raw(bytes, std::int32_t{1});
+  for (int k = 0; k < 3; ++k) test::append_raw(bytes, 1500.0);
+  TermDescription merl = test::measured("merl", folder.write("a.binary", bytes));
+  merl.name = "paint";
+  CHECK_THROWS_WITH_AS(panel_of(merl, {environment(0.5)}),
+                       doctest::Contains("\"paint\", which is measured, is not known closely enough"), InputError);
+  CHECK_NOTHROW(panel_of(merl, {directional(0.5, 1, 1)}));
 }
 
 TEST_CASE("spheres: the points of a light have its solid angle and its irradiance") {

@@ -28,7 +28,7 @@ Frames::Frames(std::span<const Place> places) {
   }
 }
 
-bool Frames::set_light(const Direction& light) {
+void Frames::set_light(const Direction& light) {
   const auto project = [&](const Vectors& axis, std::vector<double>& out) {
     for (std::size_t k = 0; k < out.size(); ++k)
       out[k] = axis[0][k] * light.x + axis[1][k] * light.y + axis[2][k] * light.z;
@@ -36,9 +36,6 @@ bool Frames::set_light(const Direction& light) {
   project(tangent_, light_[0]);
   project(bitangent_, light_[1]);
   project(normal_, light_[2]);
-  bool above = false;
-  for (const double z : light_[2]) above = above || z > 0;
-  return above;
 }
 
 } // namespace brdfplot::plot

@@ -32,8 +32,8 @@ public:
   std::size_t size() const { return normal_[0].size(); }
   Columns omega_o() const { return columns(viewer_); }
   Direction omega_o(std::size_t k) const { return {viewer_[0][k], viewer_[1][k], viewer_[2][k]}; }
-  /// omega_i of each frame for a direction in that of the picture (z to the viewer); false: it is below all horizons.
-  bool set_light(const Direction& light);
+  /// Sets omega_i of each frame, below its horizon too, for a direction in that of the picture (z to the viewer).
+  void set_light(const Direction& light);
   Columns omega_i() const { return columns(light_); }
 
 private:

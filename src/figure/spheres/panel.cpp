@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/number.hpp"
+#include "brdf/reflected_light.hpp"
 #include "brdf/term_albedo.hpp"
 #include "draw/number_text.hpp"
 #include "figure/series/configuration.hpp"
@@ -161,12 +162,18 @@ std::optional<ParameterError> problem_of(const SphereDescription& sphere) {
   const SlopeMap& slopes = material.mesosurface();
   if (slopes.mean_x != 0 || slopes.mean_y != 0)
     return ParameterError{"", "a sphere's material has no mean slope; accepted: \"mean_slope\" [0, 0]"};
-  for (const WeightedTerm& term : material.terms)
-    if (in_environment && !has_mirror_planes(term))
+  for (const WeightedTerm& term : material.terms) {
+    if (!in_environment) break;
+    if (is_measured(term.term))
+      return ParameterError{"lights", "in an environment the albedo of \"" + term.name +
+                                          "\", which is measured, is not known closely enough; accepted: a term that "
+                                          "is a formula"};
+    if (!has_mirror_planes(term))
       return ParameterError{"lights", "in an environment the material is symmetric about x and y, which \"" +
                                           term.name +
                                           "\" is not; accepted: a term that is centred, without "
                                           "correlation, and without a masking formula"};
+  }
   return std::nullopt;
 }
 

@@ -74,7 +74,7 @@ struct Renderer {
       const auto own = static_cast<std::size_t>(material.channels());
       std::vector<double> rho(own * n), sum(own * n);
       for (const LightPoint& point : points) {
-        if (!frames.set_light(point.direction)) continue;
+        frames.set_light(point.direction);
         evaluate(material, Quantity::brdf_cos, {n, frames.omega_o(), frames.omega_i(), {}}, rho.data());
         for (std::size_t k = 0; k < rho.size(); ++k) sum[k] += point.weight * rho[k];
       }
