@@ -1,4 +1,5 @@
 // Files that a material names: relative to the file in which their name is written.
+#include "analysis/integrals.hpp"
 #include "brdf/evaluate.hpp"
 #include "config/load.hpp"
 #include "temp_files.hpp"
@@ -71,4 +72,25 @@ TEST_CASE("a term of measured data needs a file, and nothing else") {
   CHECK(error(R"({"type": "merl"})").starts_with("m.json: /terms/0"));
   CHECK(error(R"({"type": "rgl", "file": 3})").starts_with("m.json: /terms/0/file"));
   CHECK(contains(error(R"({"type": "merl", "file": "x", "albedo": 1})"), "albedo"));
+}
+
+TEST_CASE("what is measured lies under a coat as what is a formula does") {
+  const TempFolder folder;
+  folder.write("table.binary", table(0.2)); // Lambertian, with an albedo of 0.2 pi
+  const auto coated = [&](const std::string& name, const std::string& base) {
+    const std::string path = folder.write(name, R"({"terms": [{"type": "coated", "base": [)" + base + R"(],
+      "coat": {"type": "mirror", "distribution": {"type": "ggx", "alpha": 0.2},
+               "fresnel": {"type": "dielectric", "eta": 1.5}}}]})");
+    return build(config::load_material(path));
+  };
+  const Material measured = coated("a.json", R"({"type": "merl", "name": "base", "file": "table.binary"})");
+  const Material formula =
+      coated("b.json", R"({"type": "lambert", "name": "base", "albedo": [0.6283185307179586, 0, 0]})");
+  for (const double theta : {0.2, 1.0, 1.5}) {
+    const Direction o = from_angles(theta, 0.3), i = from_angles(0.7, 2);
+    CHECK(evaluate(measured, Quantity::brdf, o, i, std::nullopt) ==
+          doctest::Approx(evaluate(formula, Quantity::brdf, o, i, std::nullopt)).epsilon(1e-13));
+    CHECK(std::fabs(compute(Integral::albedo, measured, o, 1e-7).value -
+                    compute(Integral::albedo, formula, o, 1e-7).value) < 1e-7);
+  }
 }
