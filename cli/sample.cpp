@@ -1,15 +1,13 @@
 /// \file
 /// brdfplot sample: directions of the light as a renderer draws them.
 
-#include "base/echo.hpp"
-#include "base/errors.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
 #include "stream/sample_stream.hpp"
+#include "whole_number.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <memory>
 
 namespace brdfplot::cli {
@@ -25,14 +23,6 @@ struct SampleFlags {
   std::string seed = "1";
   std::string points = "random";
 };
-
-std::uint64_t read_whole(const std::string& text, std::uint64_t least, std::uint64_t most, const std::string& where) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most) return value;
-  throw InputError(where, "found \"" + echo(text) + "\", accepted: a whole number in [" + std::to_string(least) + ", " +
-                              std::to_string(most) + "]");
-}
 
 int run(const SampleFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "sample", "MATERIAL.json");

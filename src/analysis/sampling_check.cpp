@@ -128,10 +128,7 @@ private:
     ViewerRows rows(omega_o_);
     evaluate(material_, Quantity::brdf_cos, rows.with_lights(n, [&](std::size_t k) { return lights_[k]; }),
              brdf_cos.data());
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!(pdf[k] >= 0 && pdf[k] < infinity)) ++found.untold;
-      if (brdf_cos[k] > 0 && pdf[k] == 0) ++found.uncovered;
-    }
+    count_faults(pdf, brdf_cos, found);
     constexpr double accuracy = 1e-7;
     const ColourEstimate albedo = compute_channels(Integral::albedo, material_, omega_o_, accuracy);
     for (std::size_t c = 0; c < channels; ++c) {
@@ -145,12 +142,12 @@ private:
       const auto count = static_cast<double>(n);
       const double mean = sum / count, variance = std::fmax(squares / count - mean * mean, 0.0);
       const double error = std::sqrt(variance / (count - 1));
-      // Where all weights are alike, rounding and the error of the albedo are what is left.
-      const double apart =
-          std::fabs(mean - albedo.value[c]) / std::hypot(error, albedo.error[c], 1e-12 * mean + 1e-300);
+      // Rare samples may all be missing, and the error from those there are be too small: it is at least one of them.
+      const double least = std::hypot(error, mean / count);
+      const double apart = std::fabs(mean - albedo.value[c]) / std::hypot(least, albedo.error[c], 1e-300);
       if (c > 0 && !(apart > found.errors_apart)) continue;
       found.mean_weight = mean;
-      found.standard_error = error;
+      found.standard_error = least;
       found.albedo = albedo.value[c];
       found.errors_apart = apart;
     }
@@ -168,9 +165,15 @@ private:
     ViewerRows rows(omega_o_);
     evaluate(material_, Quantity::brdf_cos, rows.with_lights(lights.size(), [&](std::size_t k) { return lights[k]; }),
              brdf_cos.data());
-    for (std::size_t k = 0; k < lights.size(); ++k) {
+    count_faults(pdf, brdf_cos, found);
+  }
+
+  static void count_faults(const std::vector<double>& pdf, const std::vector<double>& brdf_cos,
+                           SamplingFindings& found) {
+    constexpr double underflow = 1e-280; // of the density, whose factors are others
+    for (std::size_t k = 0; k < pdf.size(); ++k) {
       if (!(pdf[k] >= 0 && pdf[k] < infinity)) ++found.untold;
-      if (brdf_cos[k] > 0 && pdf[k] == 0) ++found.uncovered;
+      if (brdf_cos[k] > underflow && pdf[k] == 0) ++found.uncovered;
     }
   }
 

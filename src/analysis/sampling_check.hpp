@@ -29,7 +29,7 @@ struct SamplingFindings {
   std::size_t cells = 0;     ///< with at least 10 expected each
   double p_value = 1;        ///< the chance of a larger one, if samples follow the density
   double mean_weight = 0;    ///< of the channel that is furthest from its albedo
-  double standard_error = 0; ///< of it, from the samples
+  double standard_error = 0; ///< of it, from the samples; at least one sample of the mean weight
   double albedo = 0;
   double errors_apart = 0; ///< |mean_weight - albedo| in standard errors
   double largest_weight = 0;

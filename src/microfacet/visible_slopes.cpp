@@ -17,7 +17,7 @@ double visible_gaussian(double c, double s, double u) {
   double low = -std::fmin(9.0, s > 0 ? c / s : 9.0);
   double high = std::sqrt(-std::log1p(-u));
   const double target = (1 - u) * above(low);
-  double x = std::clamp(s > 0 ? 0.5 * high : -gaussian(1 - u), low, high);
+  double x = std::clamp(s > 0 ? 0.5 * high : gaussian(u), low, high);
   for (int step = 0; step < 100 && high - low > 1e-15 * (1 + std::fabs(x)); ++step) {
     const double value = above(x);
     (value > target ? low : high) = x;

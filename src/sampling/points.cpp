@@ -49,11 +49,13 @@ std::vector<SamplePoint> points(PointKind kind, std::uint64_t seed, std::uint64_
   Digits shift{};
   for (std::uint64_t& digits : shift) digits = random.bits();
   boost::random::sobol engine(shift.size());
-  engine.seed(first);
-  for (SamplePoint& point : all) {
-    Digits digits{};
-    for (std::size_t d = 0; d < digits.size(); ++d) digits[d] = engine() ^ shift[d];
-    point = point_of(digits);
+  // Boost leaves out the point 0, without which no 2^m points are spread as evenly as Sobol's are.
+  if (first > 0) engine.seed(first - 1);
+  for (std::size_t k = 0; k < n; ++k) {
+    Digits digits = shift;
+    if (first + k > 0)
+      for (std::uint64_t& one : digits) one ^= engine();
+    all[k] = point_of(digits);
   }
   return all;
 }

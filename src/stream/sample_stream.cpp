@@ -160,6 +160,9 @@ void sample_stream(const Material& material, const Sampler& sampler, const Sampl
   if (header.empty())
     throw InputError(where, "found no header; accepted: a line that names the columns, such as theta_o,phi_o");
   const DirectionColumns columns(header, where);
+  if (columns.has(Letter::i))
+    throw InputError(where, "found columns of omega_i, which are what is drawn; accepted: columns of omega_o, and any "
+                            "that are no directions");
   if (!columns.has(Letter::o)) throw InputError(where, "found no omega_o; accepted: theta_o [phi_o] or x_o y_o z_o");
   out.write(output_header(header, columns, material.channels(), where));
   Drawing drawing(material, sampler, options, out, in.name());
