@@ -79,7 +79,8 @@ private:
 
   /// Pearson's test. Samples fall to a part by chance, as its share says.
   void test_cells(SamplingFindings& found) const {
-    std::vector<std::vector<double>> expected, counts;
+    std::vector<std::vector<Estimate>> expected;
+    std::vector<std::vector<double>> counts;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       expected.push_back(parts_[p].integrals_over_cells(share_of(p)));
       counts.emplace_back(parts_[p].cell_count(), 0.0);
@@ -96,26 +97,29 @@ private:
     sum_cells(expected, counts, found);
   }
 
-  void sum_cells(const std::vector<std::vector<double>>& expected, const std::vector<std::vector<double>>& counts,
+  /// The variance of a count is what is expected, and the square of its error.
+  void sum_cells(const std::vector<std::vector<Estimate>>& expected, const std::vector<std::vector<double>>& counts,
                  SamplingFindings& found) const {
     constexpr double fewest = 10;
     const auto n = static_cast<double>(lights_.size());
-    double rest_expected = 0, rest = 0;
-    const auto add = [&](double e, double count) {
-      found.chi_squared += (count - e) * (count - e) / e;
+    Estimate rest;
+    double rest_count = 0;
+    const auto add = [&](double mean, double error, double count) {
+      found.chi_squared += (count - mean) * (count - mean) / (mean + error * error);
       ++found.cells;
     };
     for (std::size_t p = 0; p < expected.size(); ++p)
       for (std::size_t k = 0; k < expected[p].size(); ++k) {
-        if (n * expected[p][k] >= fewest) {
-          add(n * expected[p][k], counts[p][k]);
+        const Estimate& cell = expected[p][k];
+        if (n * cell.value >= fewest) {
+          add(n * cell.value, n * cell.error, counts[p][k]);
           continue;
         }
-        rest_expected += n * expected[p][k];
-        rest += counts[p][k];
+        rest.add(cell);
+        rest_count += counts[p][k];
       }
     // What there is in cells of few counts as one; where hardly anything is expected, one sample is not yet a fault.
-    if (rest > 0 || rest_expected > 0) add(std::fmax(rest_expected, 1.0), rest);
+    if (rest_count > 0 || rest.value > 0) add(std::fmax(n * rest.value, 1.0), n * rest.error, rest_count);
     const double freedom = std::fmax(static_cast<double>(found.cells) - 1, 1.0);
     found.p_value = std::isfinite(found.chi_squared) ? boost::math::gamma_q(0.5 * freedom, 0.5 * found.chi_squared) : 0;
   }

@@ -13,8 +13,8 @@ namespace brdfplot {
 
 namespace {
 
-constexpr std::size_t sectors = 16;  ///< cells along the azimuth
-constexpr std::size_t midpoints = 8; ///< across a cell, each way
+constexpr std::size_t sectors = 16;        ///< cells along the azimuth
+constexpr std::size_t most_midpoints = 16; ///< across a cell, each way
 
 /// Edges of cells along u: evenly, and towards 1, where slopes grow without bound, by quarters of what is left.
 std::vector<double> graded_edges() {
@@ -128,43 +128,52 @@ std::size_t SamplingPart::cell_of(const Direction& omega_i) const {
   return ring * sectors + std::min(sectors - 1, static_cast<std::size_t>(positive * sectors));
 }
 
-SamplingPart::Place SamplingPart::place(double u, double azimuth) const {
+SamplingPart::Place SamplingPart::place(double u, double norm, double azimuth) const {
   if (lobe_.facets == nullptr) {
     const Direction omega_i = sample_cosine(mean_normal_, u, azimuth);
     return {omega_i, std::numbers::pi / std::fmax(dot(omega_i, mean_normal_), 1e-300)};
   }
-  const double r = slopes_[0].within(u), psi = 2 * std::numbers::pi * azimuth;
-  const auto [x, y] = component()->frame.slope(r * std::cos(psi), r * std::sin(psi));
+  const double psi = 2 * std::numbers::pi * azimuth;
+  const auto [x, y] = component()->frame.slope(norm * std::cos(psi), norm * std::sin(psi));
   const Direction m = normalized({-x, -y, 1});
   const double ground = component()->density(m) / component()->weight * m.z;
   return {normalized(reflected(omega_o_, m)), ground > 0 ? 4 * std::fabs(dot(omega_o_, m)) / ground : 0};
 }
 
-std::vector<double> SamplingPart::integrals_over_cells(const LightDensity& f) const {
+std::vector<double> SamplingPart::midpoint_sums(const LightDensity& f, std::size_t midpoints) const {
   std::vector<double> sums(cell_count(), 0);
   std::vector<Direction> lights;
   std::vector<double> areas, values;
+  const std::size_t azimuths = sectors * midpoints;
   for (std::size_t ring = 0; ring + 1 < edges_.size(); ++ring) {
     lights.clear();
     areas.clear();
     const double from = edges_[ring], width = edges_[ring + 1] - from;
     const bool outermost = lobe_.facets != nullptr && ring + 2 == edges_.size();
-    for (std::size_t k = 0; k < sectors * midpoints; ++k)
-      for (std::size_t j = 0; j < midpoints; ++j) {
-        const double t = (static_cast<double>(j) + 0.5) / midpoints;
-        // The outermost ring has no end; its midpoints gather towards 1 so that what grows there is seen.
-        const double u = outermost ? 1 - width * std::pow(t, 6) : from + width * t;
-        const double weight = width * (outermost ? 6 * std::pow(t, 5) : 1) / (midpoints * midpoints * sectors);
-        const auto [omega_i, area] =
-            place(std::fmin(u, 1 - 0x1p-53), (static_cast<double>(k) + 0.5) / (sectors * midpoints));
+    for (std::size_t j = 0; j < midpoints; ++j) {
+      const double t = (static_cast<double>(j) + 0.5) / static_cast<double>(midpoints);
+      // The outermost ring has no end; its midpoints gather towards 1 so that what grows there is seen.
+      const double u = std::fmin(outermost ? 1 - width * std::pow(t, 6) : from + width * t, 1 - 0x1p-53);
+      const double weight = width * (outermost ? 6 * std::pow(t, 5) : 1) / static_cast<double>(midpoints * azimuths);
+      const double norm = slopes_.empty() ? 0 : slopes_[0].within(u);
+      for (std::size_t k = 0; k < azimuths; ++k) {
+        const auto [omega_i, area] = place(u, norm, (static_cast<double>(k) + 0.5) / static_cast<double>(azimuths));
         lights.push_back(omega_i);
         areas.push_back(area * weight);
       }
+    }
     f(lights, values);
     for (std::size_t k = 0; k < lights.size(); ++k)
-      sums[ring * sectors + k / (midpoints * midpoints)] += areas[k] > 0 ? values[k] * areas[k] : 0;
+      sums[ring * sectors + k % azimuths / midpoints] += areas[k] > 0 ? values[k] * areas[k] : 0;
   }
   return sums;
+}
+
+std::vector<Estimate> SamplingPart::integrals_over_cells(const LightDensity& f) const {
+  const std::vector<double> half = midpoint_sums(f, most_midpoints / 2), full = midpoint_sums(f, most_midpoints);
+  std::vector<Estimate> all;
+  for (std::size_t k = 0; k < full.size(); ++k) all.push_back({full[k], std::fabs(full[k] - half[k]), 0});
+  return all;
 }
 
 std::vector<SamplingPart> parts_of(const Sampler& sampler, const Direction& omega_o) {

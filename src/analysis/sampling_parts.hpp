@@ -29,16 +29,17 @@ public:
   /// Cells of the unit square of the part, wherever omega_i is in it.
   std::size_t cell_count() const;
   std::size_t cell_of(const Direction& omega_i) const;
-  /// The integral of f over each cell, by the midpoint rule.
-  std::vector<double> integrals_over_cells(const LightDensity& f) const;
+  /// The integral of f over each cell, by the midpoint rule; its error is how much half as many points differ.
+  std::vector<Estimate> integrals_over_cells(const LightDensity& f) const;
 
 private:
   struct Place {
     Direction omega_i;
     double area; ///< solid angle of omega_i for each unit of the square
   };
-  /// Where the point of the unit square is.
-  Place place(double u, double azimuth) const;
+  /// Where the point of the unit square is; `norm` is that of slopes at u.
+  Place place(double u, double norm, double azimuth) const;
+  std::vector<double> midpoint_sums(const LightDensity& f, std::size_t midpoints) const;
   const Component* component() const;
 
   const Sampler& sampler_;

