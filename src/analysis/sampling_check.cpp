@@ -194,8 +194,9 @@ private:
 
 std::vector<std::string> SamplingFindings::faults(const SamplingTest& test) const {
   std::vector<std::string> all;
-  if (!(std::fabs(integral.value - 1) <= test.integral_tolerance))
-    all.push_back("the density integrates to " + format_number(integral.value));
+  if (!(std::fabs(integral.value - 1) <= test.integral_tolerance && integral.error <= test.integral_tolerance))
+    all.push_back("the density integrates to " + format_number(integral.value) + ", with an error of " +
+                  format_number(integral.error));
   if (!(p_value >= test.significance))
     all.push_back("samples do not follow the density: chi-square " + format_number(chi_squared) + " in " +
                   std::to_string(cells) + " cells, p = " + format_number(p_value));

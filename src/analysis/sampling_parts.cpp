@@ -94,7 +94,10 @@ Estimate SamplingPart::integral(const LightDensity& f, double tolerance) const {
     lights.resize(m.size());
     for (std::size_t k = 0; k < m.size(); ++k) lights[k] = normalized(reflected(omega_o_, m[k]));
     f(lights, values);
-    for (std::size_t k = 0; k < m.size(); ++k) out[k] = values[k] * 4 * std::fabs(dot(omega_o_, m[k]));
+    // Of normals nearer to the horizon the half vector has no digit.
+    constexpr double upright = 1e-30;
+    for (std::size_t k = 0; k < m.size(); ++k)
+      out[k] = m[k].z > upright ? values[k] * 4 * std::fabs(dot(omega_o_, m[k])) : 0;
   };
   // All facets face the vertical; those that are drawn as they are seen face the viewer.
   const bool seen = lobe_.strategy == Strategy::visible_normals;
