@@ -29,8 +29,7 @@ class Trial {
 public:
   Trial(const Material& material, const Sampler& sampler, const Direction& omega_o, const SamplingTest& test,
         const PairDensity& density)
-      : material_(material), sampler_(sampler), omega_o_(omega_o), test_(test), density_(density),
-        parts_(parts_of(sampler, omega_o)) {
+      : material_(material), omega_o_(omega_o), test_(test), density_(density), parts_(parts_of(sampler, omega_o)) {
     DirectionArrays lights;
     sampler.sample(omega_o, points(PointKind::random, test.seed, 0, 0, test.samples), lights);
     lights_ = listed(lights);
@@ -182,7 +181,6 @@ private:
   }
 
   const Material& material_;
-  const Sampler& sampler_;
   Direction omega_o_;
   const SamplingTest& test_;
   const PairDensity& density_;

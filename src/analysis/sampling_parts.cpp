@@ -42,7 +42,7 @@ std::array<Direction, 2> axes_about(const Direction& n) {
 } // namespace
 
 SamplingPart::SamplingPart(const Sampler& sampler, std::size_t lobe, std::size_t component, const Direction& omega_o)
-    : sampler_(sampler), lobe_(sampler.lobes()[lobe]), index_(lobe), component_(component), omega_o_(omega_o),
+    : sampler_(sampler), lobe_(sampler.lobes()[lobe]), component_(component), omega_o_(omega_o),
       share_(sampler.shares(omega_o)[lobe]),
       mean_normal_(normalized({-sampler.mesosurface().mean_x, -sampler.mesosurface().mean_y, 1})) {
   if (lobe_.facets == nullptr) {

@@ -44,7 +44,6 @@ private:
 
   const Sampler& sampler_;
   const Sampler::Lobe& lobe_;
-  std::size_t index_;
   std::size_t component_;
   Direction omega_o_;
   double share_; ///< of the term

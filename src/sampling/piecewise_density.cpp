@@ -67,7 +67,7 @@ double solved(const Values& c, double wanted) {
     (excess < 0 ? low : high) = t;
     const double next = t - 2 * excess / value;
     const double before = t;
-    t = next > low && next < high ? next : 0.5 * (low + high);
+    t = next >= low && next <= high ? next : 0.5 * (low + high);
     if (std::fabs(t - before) < 1e-14) break;
   }
   return t;

@@ -113,8 +113,8 @@ double azimuth(double c, double k, double v) {
     (excess < 0 ? low : high) = psi;
     const double next = psi - excess / (c + k * std::cos(psi));
     const double before = psi;
-    psi = next > low && next < high ? next : 0.5 * (low + high);
-    if (std::fabs(psi - before) < 1e-15) break;
+    psi = next >= low && next <= high ? next : 0.5 * (low + high);
+    if (std::fabs(psi - before) < 1e-15 * (1 + psi)) break;
   }
   return psi;
 }

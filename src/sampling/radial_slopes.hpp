@@ -19,8 +19,8 @@ double visible_area(const Component& component, const Projection& in_frame);
 
 /// The slopes of a component in its frame, where their density f(r) depends on the norm r alone, 2 pi int f r dr = 1.
 /// Where the distribution has no closed form for what is asked, the integrals are taken over ln r in pieces that
-/// resolve f r^2 to 1e-14 of the whole (Gauss, 8 nodes), so that the share of slopes up to any r has an error below
-/// 1e-10.
+/// resolve f r^2 to 1e-14 of the whole (Gauss, 8 nodes). The share of slopes up to any r has an error below 1e-10 on
+/// the ground (of a formula, what its own normalisation has), and below 1e-7 as it is seen.
 class RadialSlopes {
 public:
   explicit RadialSlopes(const Component& component);

@@ -103,7 +103,7 @@ Strategy default_strategy(const WeightedTerm& term) {
 }
 
 Sampler::Sampler(const Material& material, const std::string& strategy, const std::string& where)
-    : material_(&material), map_(material.mesosurface()), mean_normal_(normalized({-map_.mean_x, -map_.mean_y, 1})) {
+    : map_(material.mesosurface()), mean_normal_(normalized({-map_.mean_x, -map_.mean_y, 1})) {
   const std::vector<std::string> names = strategy_names();
   if (std::ranges::find(names, strategy) == names.end())
     throw InputError(where, unknown_name("strategy", strategy, names));

@@ -78,7 +78,6 @@ public:
   const SlopeMap& mesosurface() const { return map_; }
 
 private:
-  const Material* material_;
   SlopeMap map_;
   Direction mean_normal_;
   std::vector<Lobe> lobes_;

@@ -99,7 +99,9 @@ TEST_CASE("random materials, viewers and strategies: samples follow the density,
   SamplingTest test;
   test.significance = sidak(0.01, static_cast<std::size_t>(configurations()));
   for (int k = 0; k < configurations(); ++k) {
-    const auto [description, strategy] = random_configuration(random);
+    const auto configuration = random_configuration(random);
+    const MaterialDescription& description = configuration.first;
+    const std::string& strategy = configuration.second;
     const Material material = build(description);
     const Direction o = random_viewer(random, material);
     test.seed = static_cast<std::uint64_t>(k);
