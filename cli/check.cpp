@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 #include "built_in.hpp"
+#include "check_sampling.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
 #include "render.hpp"
@@ -27,6 +28,7 @@ struct CheckFlags {
   bool json = false, csv = false, markdown = false;
   std::string output = "-";
   std::string tolerance;
+  SamplingCheckFlags sampling;
 };
 
 /// What is measured, and what came out.
@@ -229,9 +231,18 @@ int judge_numbers(const std::vector<Checked>& all, const Settings& settings) {
   return code;
 }
 
+int check_samplers_of(const CheckFlags& flags, const Settings& settings) {
+  if (flags.json || flags.markdown || !flags.tolerance.empty())
+    throw InputError("check", "found --json, --markdown or --tolerance with --sampling; accepted: --csv, or a table");
+  return check_samplers(flags.materials, flags.sampling, flags.csv, flags.output, settings);
+}
+
 int run(const CheckFlags& flags, const Settings& settings) {
   if (static_cast<int>(flags.json) + static_cast<int>(flags.csv) + static_cast<int>(flags.markdown) > 1)
     throw InputError("check", "accepted: one of --json, --csv, --markdown");
+  if (flags.sampling.asked) return check_samplers_of(flags, settings);
+  if (!flags.sampling.strategy.empty() || !flags.sampling.samples.empty() || !flags.sampling.seed.empty())
+    throw InputError("check", "found --strategy, -n or --seed without --sampling; accepted: with it");
   std::vector<Checked> all = flags.materials.empty() ? built_in() : materials_of(flags);
   for (auto& one : all) one.search.tolerance = read_tolerance(flags.tolerance, one.search.tolerance);
   measure_all(all, settings);
@@ -254,7 +265,17 @@ Command add_check(CLI::App& app, const Settings& settings) {
   command->add_option("-o,--output", flags->output, "Where to write; default: stdout")->type_name("FILE|-");
   command->add_option("--tolerance", flags->tolerance, "A residual up to this counts as zero; default: 1e-6")
       ->type_name("NUMBER");
+  command->add_flag(
+      "--sampling", flags->sampling.asked,
+      "Instead: whether what brdfplot sample draws follows its density, whether that integrates to 1, and "
+      "whether the mean weight is the albedo");
+  command->add_option("--strategy", flags->sampling.strategy, "Of --sampling (brdfplot sample --help)")
+      ->type_name("NAME");
+  command->add_option("-n,--samples", flags->sampling.samples, "Of --sampling, from each viewer; default: 20000")
+      ->type_name("N");
+  command->add_option("--seed", flags->sampling.seed, "Of --sampling; default: 1")->type_name("S");
   command->footer("Exit code 1 when a property that a material claims (\"claims\": [\"physically_based\"]) fails,\n"
+                  "or a sampler does;\n"
                   "4 when it cannot be told.\n\n" +
                   footer("brdfplot check configs/materials/rough_gold.json"));
   return {command, [flags, &settings] { return run(*flags, settings); }};

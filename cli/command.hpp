@@ -33,6 +33,7 @@ Command add_check(CLI::App& app, const Settings& settings);
 Command add_convert(CLI::App& app, const Settings& settings);
 Command add_fit(CLI::App& app, const Settings& settings);
 Command add_report(CLI::App& app, const Settings& settings);
+Command add_sample(CLI::App& app, const Settings& settings);
 Command add_simulate(CLI::App& app, const Settings& settings);
 Command add_list(CLI::App& app);
 Command add_schema(CLI::App& app);

@@ -1,6 +1,7 @@
 /// \file
 /// brdfplot eval: quantities of a material for a stream of directions.
 
+#include "base/echo.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "command.hpp"
@@ -24,6 +25,7 @@ struct EvalFlags {
   std::string output = "-";
   std::string tolerance;
   std::string precision = "double";
+  std::string strategy;
 };
 
 std::vector<std::string> split(const std::vector<std::string>& lists) {
@@ -48,9 +50,14 @@ bool is_single(const std::string& precision) {
 int run(const EvalFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "eval", "MATERIAL.json");
   require_argument(!flags.quantities.empty(), "eval", "-q Q[,Q...]");
-  const StreamOptions options{select_quantities(split(flags.quantities), "-q"),
-                              read_tolerance(flags.tolerance, default_tolerance), settings.threads,
-                              is_single(flags.precision)};
+  StreamOptions options{select_quantities(split(flags.quantities), "-q"),
+                        read_tolerance(flags.tolerance, default_tolerance), settings.threads,
+                        is_single(flags.precision)};
+  const bool density = std::ranges::any_of(options.quantities, [](const auto& q) { return q.is_density(); });
+  if (!flags.strategy.empty() && !density)
+    throw InputError("--strategy",
+                     "found \"" + echo(flags.strategy) + "\" without the quantity \"pdf\"; accepted: none");
+  if (!flags.strategy.empty()) options.strategy = flags.strategy;
   Material material = build(config::load_material(flags.material));
   material.name = flags.material; // errors name the material by its file
   InputFile in(flags.input);
@@ -88,6 +95,10 @@ Command add_eval(CLI::App& app, const Settings& settings) {
                    "Directions are rounded to float first, which changes the BRDF of Beckmann and GGX by up to "
                    "2.4e-7 / (alpha cos theta): 6 % for alpha = 8e-4 at 89.9deg, more than tenfold for 2e-6 there")
       ->type_name("double|single");
+  command
+      ->add_option("--strategy", flags->strategy,
+                   "How the directions are drawn whose density is pdf (brdfplot sample --help); default: default")
+      ->type_name("NAME");
   command->footer(footer("brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }

@@ -9,6 +9,7 @@
 #include "models/registry.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/surface.hpp"
+#include "stream/stream.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -162,6 +163,8 @@ std::string describe_quantities() {
   };
   for (const auto& info : quantities()) add(info.name, info.doc, needs_of(info), info.coloured());
   for (const auto& info : integrals()) add(info.name, info.doc, "omega_o", info.coloured);
+  const DensityInfo density;
+  add(density.name, density.doc, needs_of(info_of(Quantity::brdf)), false);
   return "Quantities (brdfplot eval -q)\n" + all.aligned(name_column);
 }
 

@@ -14,7 +14,9 @@ namespace brdfplot {
 /// - `double width() const`: the slope that is the unit of `a_lambda`, about where most of the mass lies;
 /// - `double p22(double r2) const`: slope density at squared slope r2;
 /// - `double density(double sin2, double z) const`: D (1/sr) of the normal with that squared sine and cosine z > 0;
-/// - `double a_lambda(double a) const`: a Lambda with a = cot(theta_o) / width, a in [0, infinity].
+/// - `double a_lambda(double a) const`: a Lambda with a = cot(theta_o) / width, a in [0, infinity];
+/// - `double slope_within(double u) const`, where it is a closed form: the slope within which a share u of the ground
+/// lies, u in [0, 1).
 template <class Profile>
 struct Isotropic {
   SlopeMap slopes; ///< alpha_x = alpha_y = width

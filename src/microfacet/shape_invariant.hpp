@@ -17,6 +17,9 @@ namespace brdfplot {
 /// - `double a_lambda(double a)`: a Lambda(a), finite for a -> 0, a in [0, infinity];
 /// - where there are kernels for it: `masked_areas` and `densities`, the same over arrays, and `kernel`, its name
 /// there;
+/// - `double slope_within(double u)`, where it is a closed form: the slope within which a share u of the ground lies, u
+/// in [0, 1), at unit roughness; and `visible_slope(c, s, u1, u2)`, where visible slopes (visible_normals.hpp) are one:
+/// both without rejection (sampling/);
 /// - where random microsurfaces have these slopes: `simulated_surface`, their type (simulation/surface.hpp), and
 /// `sample_visible_slope`, for random walks (microfacet/visible_normals.hpp).
 /// The functions of a shape without parameters are static, and the shape takes no room.

@@ -15,6 +15,16 @@ struct UnitSlope {
   double across;
 };
 
+/// x with the density e^(-x^2) / sqrt(pi), below which a share u lies: erf^-1(2 u - 1). u in [0, 1); 0 counts as 2^-54.
+double gaussian(double u);
+
+/// x >= -c / s with the density proportional to (c + s x) e^(-x^2), below which a share u lies: the visible slopes of a
+/// Gaussian profile, seen from a cosine c >= 0 and a sine s >= 0. What lies above is
+///   T(x) = (c sqrt(pi) erfc(x) + s e^(-x^2)) / 2,
+/// which Heitz and d'Eon (2014) solve for in erf(x), where the tail has no digits; here in x, by Newton's rule for ln T
+/// within -c / s (or -9, beyond which nothing is) and sqrt(-ln(1 - u)). Domain u in [0, 1); error of the share < 1e-14.
+double visible_gaussian(double c, double s, double u);
+
 /// x with the density proportional to (a + x)+ e^(-x^2): the visible slopes of a Gaussian profile, at any signed a =
 /// cot theta. Exact, by rejection; at least a third of the proposals is accepted.
 template <class Generator>

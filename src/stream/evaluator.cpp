@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace brdfplot {
@@ -21,6 +22,7 @@ constexpr std::size_t chunk_size = 1024;
 
 int StreamPlan::channels_of(const StreamQuantity& quantity) const {
   if (const auto* info = quantity.closed_form()) return brdfplot::channels_of(material, info->quantity, quantity.term);
+  if (quantity.is_density()) return 1;
   return quantity.integral()->coloured ? brdfplot::channels_of(material, Quantity::brdf, quantity.term) : 1;
 }
 
@@ -48,7 +50,7 @@ std::exception_ptr StreamEvaluator::run(const RowBlock& block, std::string& out)
         if (auto missed = integrate_rows(quantities[q], results_[q])) failure = std::move(missed);
     evaluate_rows();
     for (std::size_t q = 0; q < quantities.size(); ++q)
-      if (quantities[q].closed_form() != nullptr)
+      if (quantities[q].integral() == nullptr)
         if (auto untold = guard(quantities[q], results_[q])) failure = std::move(untold);
     append_rows(out);
   }
@@ -106,9 +108,13 @@ void StreamEvaluator::evaluate_rows() {
   for (std::size_t q = 0; q < results_.size(); ++q) {
     const StreamQuantity& quantity = plan_.options.quantities[q];
     const QuantityInfo* info = quantity.closed_form();
-    if (info == nullptr) continue;
+    if (quantity.integral() != nullptr) continue;
     Result& result = results_[q];
     result.stride = n_;
+    if (info == nullptr) {
+      plan_.sampler->densities(n_, given.o, given.i, result.values.data());
+      continue;
+    }
     const bool halve = info->needs.i || !given.m;
     if (plan_.options.single_precision)
       evaluate(plan_.material, info->quantity, halve ? of_half_vectors : given, result.single.data(), quantity.term);
@@ -129,7 +135,8 @@ std::exception_ptr StreamEvaluator::guard(const StreamQuantity& quantity, const 
       const double value = value_of(result, k * result.stride + r);
       // What is beyond float's range the kernels give as its largest number.
       const bool beyond = plan_.options.single_precision && value == std::numeric_limits<float>::max();
-      if (is_told(quantity.closed_form()->quantity, value) && !beyond) continue;
+      const QuantityInfo* info = quantity.closed_form();
+      if ((info == nullptr ? std::isfinite(value) : is_told(info->quantity, value)) && !beyond) continue;
       n_ = r;
       return std::make_exception_ptr(
           AccuracyError(where(lines_[r]),

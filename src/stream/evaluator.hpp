@@ -2,10 +2,12 @@
 /// The rows of one block, read, evaluated and written as text. One evaluator a thread.
 #pragma once
 
+#include "sampling/sampler.hpp"
 #include "stream/columns.hpp"
 #include "stream/stream.hpp"
 
 #include <exception>
+#include <optional>
 
 namespace brdfplot {
 
@@ -14,7 +16,8 @@ struct StreamPlan {
   const Material& material;
   const StreamOptions& options;
   DirectionColumns columns;
-  std::string file; ///< for errors
+  std::string file;               ///< for errors
+  std::optional<Sampler> sampler; ///< where its density is asked for
 
   int channels_of(const StreamQuantity& quantity) const;
 };
@@ -39,7 +42,7 @@ private:
   std::exception_ptr read(FieldScanner& scanner, const std::string& text, std::size_t first_line);
   /// The integral of every row of the chunk, up to the first that misses the tolerance: it ends the chunk.
   std::exception_ptr integrate_rows(const StreamQuantity& quantity, Result& result);
-  /// All quantities with a closed form.
+  /// All quantities with a closed form, and densities.
   void evaluate_rows();
   double value_of(const Result& result, std::size_t index) const;
   /// The last guard: the first row with a value that is no answer ends the chunk.

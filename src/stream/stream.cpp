@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 namespace brdfplot {
 
@@ -38,6 +40,8 @@ void require_columns(const StreamPlan& plan, const std::string& where) {
   for (const auto& quantity : plan.options.quantities) {
     if (const auto* info = quantity.closed_form())
       require(placed, *info, plan.columns.has(o), plan.columns.has(i), plan.columns.has(m), quantity.term);
+    else if (quantity.is_density()) // of two directions, as the BRDF is
+      require(placed, info_of(Quantity::brdf), plan.columns.has(o), plan.columns.has(i), false);
     else if (!plan.columns.has(o))
       throw InputError(where, "\"" + quantity.name + "\" needs omega_o: theta_o [phi_o] or x_o y_o z_o");
   }
@@ -138,6 +142,7 @@ std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& na
   std::vector<StreamQuantity> all;
   for (const auto& info : quantities()) all.push_back({info.name, "", info});
   for (const auto& info : integrals()) all.push_back({info.name, "", info});
+  all.push_back({DensityInfo{}.name, "", DensityInfo{}});
   std::vector<std::string> known;
   for (const auto& quantity : all) known.push_back(quantity.name);
   std::vector<StreamQuantity> selected;
@@ -148,17 +153,24 @@ std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& na
     const std::string quantity = dot == std::string::npos ? name : name.substr(dot + 1);
     const auto found = std::ranges::find(all, quantity, &StreamQuantity::name);
     if (found == all.end()) throw InputError(where, unknown_name("quantity", name, known));
+    if (found->is_density() && dot != std::string::npos)
+      throw InputError(where, "found \"" + echo(name) + "\", accepted: pdf, which is of all terms together");
     selected.push_back({name, dot == std::string::npos ? "" : name.substr(0, dot), found->info});
   }
   return selected;
 }
 
 void evaluate_stream(const Material& material, const StreamOptions& options, InputFile& in, OutputFile& out) {
+  std::optional<Sampler> sampler;
   for (const auto& quantity : options.quantities)
     if (const auto* info = quantity.closed_form())
       require(material, *info, true, true, true, quantity.term);
+    else if (const auto* of_directions = quantity.integral())
+      require(material, *of_directions, quantity.term);
     else
-      require(material, *quantity.integral(), quantity.term);
+      sampler.emplace(material, options.strategy);
+  if (sampler && options.single_precision)
+    throw InputError("--precision", "found \"single\" with \"pdf\"; accepted: double");
   const auto integral = std::ranges::find_if(options.quantities, [](const auto& q) { return q.integral() != nullptr; });
   const bool slow = integral != options.quantities.end();
   if (slow && options.single_precision)
@@ -169,7 +181,7 @@ void evaluate_stream(const Material& material, const StreamOptions& options, Inp
   const std::string where = in.name() + ":" + std::to_string(reader.header_line());
   if (header.empty())
     throw InputError(where, "found no header; accepted: a line that names the columns, such as theta_o,phi_o");
-  const StreamPlan plan{material, options, DirectionColumns(header, where), in.name()};
+  const StreamPlan plan{material, options, DirectionColumns(header, where), in.name(), std::move(sampler)};
   require_columns(plan, where);
   for (const auto& name : output_names(plan)) header += "," + name;
   out.write(header + "\n");

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 # A file may include from its own layer and from those before it. What draws knows no BRDF: only base.
-LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "analysis", "stream", "simulation", "draw", "figure",
+LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "sampling", "analysis", "stream", "simulation", "draw", "figure",
           "config", "cli"]
 KNOWS_ONLY = {"draw": {"base", "draw"}}
 GENERATED = {"version.hpp"}

@@ -40,6 +40,13 @@ struct BeckmannShape {
 
   static constexpr const char* simulated_surface = "gaussian";
 
+  static double slope_within(double u) { return std::sqrt(-std::log1p(-u)); }
+
+  /// By inversion of both marginals (after Heitz and d'Eon 2014).
+  static UnitSlope visible_slope(double c, double s, double u_facing, double u_across) {
+    return {visible_gaussian(c, s, u_facing), gaussian(u_across)};
+  }
+
   /// Slopes of a Gaussian are independent along any two axes.
   template <class Generator>
   static UnitSlope sample_visible_slope(double c, double s, Generator& random) {

@@ -29,6 +29,10 @@ ExponentialPowerShape ExponentialPowerShape::from(const Values& values) {
 
 double ExponentialPowerShape::density(double t2) const { return std::exp(log_peak - std::pow(t2, power)); }
 
+double ExponentialPowerShape::slope_within(double u) const {
+  return std::pow(boost::math::gamma_p_inv(1 / power, u), 0.5 / power);
+}
+
 double ExponentialPowerShape::scaled_density(double n2, double z2) const {
   const double numerator = density(n2 / z2);
   return numerator > 0 ? numerator / (z2 * z2) : 0;

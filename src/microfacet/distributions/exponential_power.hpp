@@ -18,6 +18,8 @@ struct ExponentialPowerShape {
   static ExponentialPowerShape from(const Values& values);
 
   double density(double t2) const;
+  /// By the inverse of the incomplete gamma function (Holzschuch and Pacanowski 2017, Eqs. 49-50).
+  double slope_within(double u) const;
   /// 1 for p = 1, 1e5 for p = 0.1.
   double typical_slope() const { return median; }
   double scaled_density(double n2, double z2) const;

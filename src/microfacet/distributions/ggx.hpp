@@ -37,14 +37,23 @@ struct GgxShape {
 
   static constexpr const char* simulated_surface = "ggx";
 
-  /// Reflected at its visible normals, a direction is spread evenly over a spherical cap (Dupuy and Benyoub 2023).
+  static double slope_within(double u) { return std::sqrt(u / (1 - u)); }
+
+  /// Reflected at its visible normals, a direction is spread evenly over a spherical cap (Dupuy and Benyoub 2023). With
+  /// z its height there, h_z = z + c = (1 - u) (1 + c), which does not cancel at the rim of the cap.
+  static UnitSlope visible_slope(double c, double s, double u_azimuth, double u_height) {
+    const double phi = 2 * std::numbers::pi * u_azimuth;
+    const double h_z = (1 - u_height) * (1 + c);
+    const double versine = c > 0 ? s * s / (1 + c) : 1 - c;
+    const double radius = std::sqrt(u_height * (1 + c) * (versine + h_z));
+    return {(radius * std::cos(phi) + s) / h_z, radius * std::sin(phi) / h_z};
+  }
+
   template <class Generator>
   static UnitSlope sample_visible_slope(double c, double s, Generator& random) {
-    const double phi = 2 * std::numbers::pi * random.uniform();
-    const double z = 1 - random.uniform() * (1 + c);
-    const double radius = std::sqrt(std::fmax(0.0, (1 - z) * (1 + z)));
-    const double h_z = z + c;
-    return {(radius * std::cos(phi) + s) / h_z, radius * std::sin(phi) / h_z};
+    const double u_azimuth = random.uniform();
+    const double u_height = random.uniform();
+    return visible_slope(c, s, u_azimuth, u_height);
   }
 };
 

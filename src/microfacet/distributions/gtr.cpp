@@ -16,6 +16,11 @@ double log_phi(double x) {
   return std::log(std::expm1(x) / x);
 }
 
+/// ln(1 - u + u e^x), whole real line.
+double log_mean_of_powers(double u, double x) {
+  return x > 30 ? x + std::log(u + (1 - u) * std::exp(-x)) : std::log1p(u * std::expm1(x));
+}
+
 } // namespace
 
 double gtr_log_normalization(double alpha, double gamma) {
@@ -81,6 +86,17 @@ double GtrLobe::median_slope() const {
   const double log_mean = std::max(x, 0.0) + std::log(0.5 + 0.5 * std::exp(-std::fabs(x)));
   const double log_v = std::fabs(x) < 1e-5 ? (0.5 + x / 8) * log_alpha2 : log_mean / (1 - gamma);
   return alpha * std::sqrt(-std::expm1(log_v - log_alpha2) / std::expm1(log_v));
+}
+
+double GtrLobe::slope_within(double u) const {
+  const double log_alpha2 = 2 * std::log(alpha);
+  if (log_alpha2 == 0) return std::sqrt(u / (1 - u));
+  // v^g = (1 - u) alpha^(2 g) + u with g = 1 - gamma, as ln(v / alpha^2) and, where v is near 1, as ln v itself.
+  const double g = 1 - gamma;
+  const double log_ratio = g == 0 ? -u * log_alpha2 : log_mean_of_powers(u, -g * log_alpha2) / g;
+  double log_v = log_alpha2 + log_ratio;
+  if (std::fabs(log_v) < 0.5) log_v = g == 0 ? (1 - u) * log_alpha2 : log_mean_of_powers(1 - u, g * log_alpha2) / g;
+  return alpha * std::sqrt(std::expm1(log_ratio) / -std::expm1(log_v));
 }
 
 GtrProfile GtrProfile::from(const Values& values) {

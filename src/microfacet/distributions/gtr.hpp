@@ -19,6 +19,8 @@ struct GtrLobe {
   /// The slope within which half of the normals are, by area: alpha for gamma = 2, elsewhere by orders of magnitude as
   /// alpha goes to 0 or infinity. With v = alpha^2 + (1 - alpha^2) sin^2, int D cos is one over v^-gamma.
   double median_slope() const;
+  /// The slope within which a share u of the ground lies: v of median_slope() from alpha^2 at u = 0 to 1 at u = 1.
+  double slope_within(double u) const;
   double log_p22(double r2) const; ///< of k / pi (1 + r2)^(gamma - 2) / (r2 + alpha^2)^gamma
 };
 
@@ -34,6 +36,7 @@ struct GtrProfile {
   double width() const { return lobe.alpha; }
   double typical_slope() const { return lobe.median_slope(); }
   double p22(double r2) const { return std::exp(lobe.log_p22(r2)); }
+  double slope_within(double u) const { return lobe.slope_within(u); }
   double density(double sin2, double z) const { return std::exp(lobe.log_density(sin2, z * z)); }
   /// For gamma = 1, 2, 3, 4 the closed forms below; else from a table of the quadrature of these slopes, relative error
   /// 1e-10 of all that is above 1e-290.

@@ -20,6 +20,8 @@ struct PhongProfile {
 
   double width() const { return alpha; }
   double p22(double r2) const;
+  /// Where cos^(n + 2) = 1 - u.
+  double slope_within(double u) const { return std::sqrt(std::expm1(-2 / (exponent + 2) * std::log1p(-u))); }
   /// cos^n through log1p of tan^2, exact near the normal however large n is. Where n < 0, D grows without bound towards
   /// the horizon; normals nearer to it than 1e-150 count as there.
   double density(double sin2, double z) const;

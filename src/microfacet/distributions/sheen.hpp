@@ -16,6 +16,11 @@ struct SheenProfile {
   double width() const { return std::sqrt(1 + half_power()); }
   double half_power() const { return 0.5 / alpha; } ///< m below
   double p22(double r2) const;
+  /// Where sin^(2 + 1 / alpha) = u.
+  double slope_within(double u) const {
+    const double log_sin2 = std::log(u) / (1 + half_power());
+    return std::exp(0.5 * log_sin2) / std::sqrt(-std::expm1(log_sin2));
+  }
   double density(double sin2, double z) const;
   /// c Lambda = (F - c) / 2, F = 2F1(-1/2, -m; 1; sin^2), m = 1 / (2 alpha): D is even in cos theta_m, so the visible
   /// area is half of c and half of the cosine transform F of D over the sphere. F is computed as

@@ -19,6 +19,7 @@ struct StudentTShape {
   static StudentTShape of_excess(double excess);
 
   double density(double t2) const;
+  double slope_within(double u) const { return std::sqrt((gamma - 1) * std::expm1(-std::log1p(-u) / (gamma - 1))); }
   /// Where gamma < 2, D grows without bound towards the horizon; normals nearer to it than 1e-150 count as there.
   double scaled_density(double n2, double z2) const;
   /// a Lambda(a), with I the regularised incomplete beta function, g = gamma - 1 and w = g / (g + a^2):

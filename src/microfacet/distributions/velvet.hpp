@@ -22,6 +22,10 @@ struct VelvetProfile {
 
   double width() const { return base > 0 ? 1 : 1 / alpha; }
   double p22(double r2) const;
+  /// The slope within which a share u of the ground lies, of one of parts().
+  double slope_within(double u) const {
+    return base > 0 ? std::sqrt(u / (1 - u)) : 1 / (alpha * std::sqrt(-std::log(u)));
+  }
   double density(double sin2, double z) const;
   /// Exact, since masked areas add. The base is GGX with alpha = 1.
   double a_lambda(double a) const;

@@ -1,0 +1,58 @@
+/// \file
+/// Whether a sampler draws what its density says, and what that is worth for a material.
+#pragma once
+
+#include "math/quadrature.hpp"
+#include "sampling/sampler.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace brdfplot {
+
+/// The density of each pair (1/sr), as Sampler::densities() writes it.
+using PairDensity = std::function<void(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out)>;
+
+struct SamplingTest {
+  std::size_t samples = 20000;
+  std::uint64_t seed = 1;
+  double significance = 0.01; ///< of the chi-square test of each viewer
+  double integral_tolerance = 1e-6;
+  double most_errors = 4; ///< standard errors between the mean weight and the albedo
+};
+
+/// Of one viewer.
+struct SamplingFindings {
+  Estimate integral;         ///< of the density over the sphere
+  double chi_squared = 0;    ///< Pearson's, of samples in cells against the density's integrals over these
+  std::size_t cells = 0;     ///< with at least 10 expected each
+  double p_value = 1;        ///< the chance of a larger one, if samples follow the density
+  double mean_weight = 0;    ///< of the channel that is furthest from its albedo
+  double standard_error = 0; ///< of it, from the samples; at least one sample of the mean weight
+  double albedo = 0;
+  double errors_apart = 0; ///< |mean_weight - albedo| in standard errors
+  double largest_weight = 0;
+  std::size_t untold = 0;    ///< densities that are negative or no number
+  std::size_t uncovered = 0; ///< directions with a BRDF above 0 and a density of 0
+
+  bool holds(const SamplingTest& test) const;
+  /// What does not, in words; empty where all does.
+  std::vector<std::string> faults(const SamplingTest& test) const;
+};
+
+/// Tests a sampler at a viewer against `density`, its own or another. The sphere is divided among what the sampler
+/// draws by, terms and components of distributions, each direction by what each has of the density there; the share of
+/// each is looked at where it is as wide as all others: in the unit square of the share of the ground and the azimuth,
+/// in the slopes of its frame, or of Lambert's lobe. So a cell holds as much of a peak of alpha = 0.001 as of one of
+/// alpha = 1. \pre omega_o above the horizon of the mesosurface \throws AccuracyError where a BRDF or the albedo misses
+/// its accuracy
+SamplingFindings check_sampling(const Material& material, const Sampler& sampler, const Direction& omega_o,
+                                const SamplingTest& test, const PairDensity& density);
+SamplingFindings check_sampling(const Material& material, const Sampler& sampler, const Direction& omega_o,
+                                const SamplingTest& test);
+
+/// The significance of each of n tests that all hold with a chance of 1 - significance together (Sidak 1967).
+double sidak(double significance, std::size_t n);
+
+} // namespace brdfplot

@@ -1,0 +1,86 @@
+/// \file
+/// Directions of the light as a renderer draws them, with their density.
+#pragma once
+
+#include "brdf/material.hpp"
+#include "brdf/viewer_rows.hpp"
+#include "sampling/facets.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brdfplot {
+
+/// How directions are drawn.
+enum class Strategy {
+  cosine,          ///< cos theta_i / pi about the normal of the mesosurface
+  half_vector,     ///< omega_o mirrored at a normal with the density D(m) (m.g)
+  visible_normals, ///< omega_o mirrored at a normal with the density <o, m> D(m) / sigma(o) (Heitz 2014, Eq. 16)
+};
+
+std::string name_of(Strategy strategy);
+/// The names that `Sampler` takes, "default" first.
+std::vector<std::string> strategy_names();
+
+/// What a term can be drawn by: `cosine`; where it is about the half vector, `half_vector`; and where the facets' mean
+/// slope is finite, `visible_normals`.
+std::vector<Strategy> strategies_of(const WeightedTerm& term);
+/// `visible_normals` for mirrors with a Lambda, else `half_vector` for what is about it, else `cosine`.
+Strategy default_strategy(const WeightedTerm& term);
+
+/// Draws directions omega_i for a material, each a function of a point in [0, 1)^3 alone, without rejection.
+///
+/// A sum of terms is drawn from by the one-sample model (Veach 1997, section 9.2.4): a term is chosen, and the density
+/// is that of all, weighted by their chances. The chance of term k is 0.9 w_k / sum w + 0.1 / K of K terms, w_k its
+/// weight times its albedo or colour or its Fresnel reflectance at omega_o over the mean normal, as means of channels,
+/// and 1 where it has none of these; so that no term is ever left to the others.
+///
+/// Mirrored directions may lie below the horizon, where the BRDF is 0; the density is over the whole sphere, and its
+/// integral there is 1. From a viewer at or below the horizon of the mesosurface nothing is drawn: its density is 0.
+class Sampler {
+public:
+  /// A reference to `material` is kept. `strategy`: one of strategy_names(), for all terms. \throws InputError where a
+  /// term does not have it: which, and what each accepts; at `where` for an unknown name.
+  Sampler(const Material& material, const std::string& strategy, const std::string& where = "--strategy");
+
+  /// What is known once omega_o is.
+  class Viewer {
+  public:
+    Viewer(const Sampler& sampler, const Direction& omega_o);
+    /// Below the horizon of the viewer: the mean normal.
+    Direction sample(const SamplePoint& point) const;
+
+  private:
+    const Sampler* sampler_;
+    Direction omega_o_;
+    std::vector<double> shares_;
+    std::vector<std::optional<Facets::Viewer>> facets_;
+  };
+
+  /// Directions for a batch of points at one viewer.
+  void sample(const Direction& omega_o, const std::vector<SamplePoint>& points, DirectionArrays& omega_i) const;
+  /// The density (1/sr) of each pair; 0 where o and i are opposite, where it is none.
+  void densities(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out) const;
+
+  /// The terms one by one, of which the density is a sum: what each adds to it, and the chances at a viewer.
+  struct Lobe {
+    Strategy strategy;
+    std::shared_ptr<const Facets> facets; ///< null: cosine
+    double size;                          ///< weight and albedo
+    const Fresnel* fresnel;               ///< null: none
+  };
+  const std::vector<Lobe>& lobes() const { return lobes_; }
+  std::vector<double> shares(const Direction& omega_o) const;
+  void lobe_densities(const Lobe& lobe, std::size_t n, const Columns& omega_o, const Columns& omega_i,
+                      double* out) const;
+  const SlopeMap& mesosurface() const { return map_; }
+
+private:
+  SlopeMap map_;
+  Direction mean_normal_;
+  std::vector<Lobe> lobes_;
+};
+
+} // namespace brdfplot
