@@ -160,10 +160,12 @@ TEST_CASE("fit: rounding stays within its bound") {
 }
 
 TEST_CASE("fit: what the code computes in float and double is within what is said of it") {
-  for (const auto& [description, tolerance] :
-       {std::pair{material("student_t", {{"alpha", 0.3}, {"gamma", 3}}), 1e-4},
-        std::pair{material("beckmann", {{"alpha", 0.3}}), 1e-6}, std::pair{material("ggx", {{"alpha", 0.3}}), 1e-5},
-        std::pair{material("phong", {{"exponent", 10}}), 1e-3}}) {
+  for (const auto& [description, tolerance] : test::sample_of<std::pair<TermDescription, double>>(
+           {{material("phong", {{"exponent", 10}}), 1e-3},
+            {material("beckmann", {{"alpha", 0.3}}), 1e-6},
+            {material("ggx", {{"alpha", 0.3}}), 1e-5},
+            {material("student_t", {{"alpha", 0.3}, {"gamma", 3}}), 1e-4}},
+           2)) {
     const std::string& name = description.name; // clang 14 captures no structured binding
     INFO(name);
     const FitResult fit = fit_lambda(description, {.tolerance = tolerance, .threads = 2});
