@@ -1,6 +1,7 @@
 /// \file
 /// brdfplot check: the properties of Table 3 and more, of materials or of everything built in.
 
+#include "analysis/masking_mistake.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "base/text_files.hpp"
@@ -64,6 +65,7 @@ void measure_all(std::vector<Checked>& all, const Settings& settings) {
   for (Checked& one : all) {
     const MaterialDescription& first = one.family.members.at(0);
     one.row = row_of(one.family);
+    if (!one.file.empty()) one.row.mistake = masking_mistake(first);
     for (const auto& info : properties()) {
       Residual& to = one.row.residuals[info.property];
       tasks.push_back({first.name + ", " + info.name, [&one, &to, property = info.property] {
@@ -125,6 +127,7 @@ std::string block(const Checked& one, const Paint& paint) {
   }
   const Verdict verdict = one.row.physically_based();
   out += "  " + paint(verdict, std::string(mark(verdict))) + " physically based (Eqs. 14, 18, 36, 37)\n";
+  if (!one.row.mistake.empty()) out += "  ! " + one.row.mistake + "\n";
   for (const auto& claim : one.claims)
     out +=
         "  " + paint(one.row.verdict(claim), std::string(mark(one.row.verdict(claim)))) + " claimed: " + claim + "\n";

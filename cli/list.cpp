@@ -134,6 +134,7 @@ std::string describe_terms() {
   for (const TermSpec& term : term_specs()) {
     out += describe(term.spec);
     if (term.of_another) out += wrapped("", "Takes \"of\": the name of a term beside it, or a term.", text_column);
+    if (term.of_layers) out += wrapped("", "Takes \"coat\": a term, and \"base\": a list of terms.", text_column);
     if (term.has_distribution && !term.has_surface)
       out += wrapped("", "Takes \"distribution\", \"fresnel\".", text_column);
     if (term.has_surface)

@@ -72,10 +72,16 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.footer("brdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"
              "  brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv");
-  const std::vector<cli::Command> commands = {
-      cli::add_eval(app, settings), cli::add_plot(app, settings),   cli::add_check(app, settings),
-      cli::add_fit(app, settings),  cli::add_report(app, settings), cli::add_simulate(app, settings),
-      cli::add_list(app),           cli::add_schema(app),           cli::add_validate(app, settings)};
+  const std::vector<cli::Command> commands = {cli::add_eval(app, settings),
+                                              cli::add_plot(app, settings),
+                                              cli::add_check(app, settings),
+                                              cli::add_fit(app, settings),
+                                              cli::add_report(app, settings),
+                                              cli::add_simulate(app, settings),
+                                              cli::add_convert(app, settings),
+                                              cli::add_list(app),
+                                              cli::add_schema(app),
+                                              cli::add_validate(app, settings)};
   for (const auto& command : commands) command.app->group("Commands");
   try {
     app.parse(argc, argv);

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -48,8 +49,9 @@ int run(const PlotFlags& flags, const Settings& settings) {
   std::vector<const plot::FigureDescription*> described;
   for (const auto& figure : figures) described.push_back(&figure);
   append_simulations(described, settings, store, tasks);
+  const int threads = std::max(1, settings.threads / static_cast<int>(figures.size()));
   for (std::size_t k = 0; k < figures.size(); ++k)
-    tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k], store); }});
+    tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k], store, threads); }});
   run_tasks(tasks, settings);
   std::vector<NamedText> files;
   for (std::size_t k = 0; k < figures.size(); ++k) {

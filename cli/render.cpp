@@ -21,10 +21,10 @@ void run_tasks(const std::vector<Task>& tasks, const Settings& settings) {
   });
 }
 
-RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store) {
+RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store, int threads) {
   RenderedFigure rendered;
   rendered.seconds = timed([&] {
-    const plot::Figure figure = plot::compute(description, store);
+    const plot::Figure figure = plot::compute(description, store, threads);
     rendered.svg = plot::to_svg(figure);
     rendered.csv = plot::to_csv(figure);
   });

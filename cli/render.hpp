@@ -24,7 +24,8 @@ struct RenderedFigure {
   double seconds = 0;
 };
 
-RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store);
+/// On up to `threads` threads.
+RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store, int threads = 1);
 
 /// The simulations of all the figures, once each, as the first of the tasks: figures that start later wait for theirs.
 void append_simulations(const std::vector<const plot::FigureDescription*>& figures, const Settings& settings,

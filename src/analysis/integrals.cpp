@@ -1,6 +1,7 @@
 #include "analysis/integrals.hpp"
 
 #include "analysis/lobe_peak.hpp"
+#include "analysis/mean_reflectance.hpp"
 #include "base/number.hpp"
 #include "brdf/component_sum.hpp"
 #include "brdf/kinks.hpp"
@@ -99,10 +100,15 @@ Estimate visible_of_lambda(Integral integral, const Microsurface& surface, const
   return {scale * area.value, scale * area.error, area.evaluations};
 }
 
-/// Of one term, with F = 1 or an albedo of 1.
+/// Of one term, with F = 1 or an albedo of 1; of the channels of what is measured, which cannot be made white, the
+/// largest.
 Estimate furnace(const WeightedTerm& weighted, const Direction& o, double tolerance) {
   const BrdfTerm white = std::visit([](const auto& term) -> BrdfTerm { return term.white(); }, weighted.term);
-  return reflected_light(white, o, tolerance, {}, every_direction).channel(0);
+  const int channels = std::visit([](const auto& term) { return term.channels(); }, white);
+  const ChannelRange all{0, static_cast<std::size_t>(channels)};
+  const ColourEstimate light = reflected_light(white, o, tolerance, all, every_direction);
+  const auto largest = std::ranges::max_element(light.value) - light.value.begin();
+  return light.channel(static_cast<std::size_t>(largest));
 }
 
 /// Appendix C: theta over the whole sphere and phi, both in steps of 0.05.
@@ -160,6 +166,17 @@ bool is_of_surface(Integral integral) {
          integral == Integral::weak_furnace || integral == Integral::weak_furnace_grid;
 }
 
+bool is_of_fresnel(Integral integral) {
+  return integral == Integral::mean_fresnel || integral == Integral::average_fresnel;
+}
+
+/// The term with a microsurface and a Fresnel term.
+const WeightedTerm& mirror_term(const Material& material, const std::string& name) {
+  const WeightedTerm& term = material.term_with_surface(name);
+  if (term.fresnel() == nullptr) throw InputError(material.name, "the term \"" + term.name + "\" has no Fresnel term");
+  return term;
+}
+
 /// The term of the furnace: the one of this name, or the only one.
 const WeightedTerm& furnace_term(const Material& material, const std::string& name) {
   const auto terms = terms_of(material, name);
@@ -215,6 +232,9 @@ const std::vector<IntegralInfo>& integrals() {
        true},
       {Integral::brdf_peak_theta_i, "brdf_peak_theta_i", "angle of the largest rho in the plane of incidence, rad",
        true},
+      {Integral::mean_fresnel, "mean_fresnel", "mean of F over the visible normals, Eq. 105", true},
+      {Integral::average_fresnel, "average_fresnel", "mean of F under light from everywhere, RTR4, Eqs. 9.58-9.60",
+       true},
   };
   return all;
 }
@@ -222,10 +242,21 @@ const std::vector<IntegralInfo>& integrals() {
 void require(const Material& material, const IntegralInfo& info, const std::string& term) {
   if (is_of_surface(info.integral))
     (void)material.surface(term);
+  else if (is_of_fresnel(info.integral))
+    (void)mirror_term(material, term);
   else if (info.integral == Integral::furnace)
     (void)furnace_term(material, term);
   else
     (void)terms_of(material, term);
+  if (!is_peak(info.integral)) return;
+  for (const WeightedTerm& one : material.terms)
+    if (std::visit(
+            [](const auto& t) {
+              return requires { t.piecewise_constant; };
+            },
+            one.term))
+      throw InputError(material.name, "\"" + info.name + "\" is a place on a smooth lobe, and the term \"" + one.name +
+                                          "\" has steps; accepted: a material without it");
 }
 
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o, double tolerance, int channel,
@@ -247,6 +278,8 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
   case Integral::albedo:
     return reflected_light(terms_of(material, term), omega_o, tolerance, {c, 1}, every_direction).channel(0);
   case Integral::mean_theta_i: return mean_theta_i(terms_of(material, term), omega_o, tolerance, c);
+  case Integral::mean_fresnel: return mean_visible_reflectance(mirror_term(material, term), omega_o, tolerance, c);
+  case Integral::average_fresnel: return {mean_fresnel(*mirror_term(material, term).fresnel(), c), 1e-12, 0};
   case Integral::brdf_peak_theta_i:
     return peak_theta_i(material, Quantity::brdf, omega_o, narrowest_width(material), channel);
   default: return peak_theta_i(material, Quantity::brdf_cos, omega_o, narrowest_width(material), channel);

@@ -25,6 +25,8 @@ enum class Integral {
   mean_theta_i,      ///< polar angle of the mean direction of reflected light, signed in the plane of incidence
   peak_theta_i,      ///< where rho cos theta_i is largest in the plane of incidence, signed
   brdf_peak_theta_i, ///< where rho is: beyond the mirror direction where there is an off-specular peak
+  mean_fresnel,      ///< int F(o.m) D_o(m) dm, Eq. 105
+  average_fresnel,   ///< 2 int F(c) c dc, the same at every viewer (RTR4, Eq. 9.58)
 };
 
 struct IntegralInfo {
@@ -40,8 +42,8 @@ inline constexpr double default_tolerance = 1e-9;
 
 /// An integral at omega_o (unit length). 0 at and below the horizon of the mesosurface. `tolerance` is absolute, for
 /// values of order 1 (projected_area: relative to c_o). `channel` selects red, green or blue of a coloured one.
-/// projected_area, visible_norm and weak_furnace are of a microsurface, the furnace of a term: of the one of this name,
-/// or of the only one; the others are of the material, or of the term that is named.
+/// projected_area, visible_norm, weak_furnace, mean_fresnel and average_fresnel are of a microsurface, the furnace of a
+/// term: of the one of this name, or of the only one; the others are of the material, or of the term that is named.
 /// The estimate's error bounds the true one; weak_furnace_grid has none (0).
 /// \throws InputError where there is no such term, or several
 Estimate compute(Integral integral, const Material& material, const Direction& omega_o,

@@ -145,6 +145,7 @@ std::vector<PropertyFamily> families_of(const MaterialDescription& material) {
     label += (label.empty() ? "" : " + ") + label_of(term);
     if (!has_surface(term)) continue;
     MaterialDescription alone{material.name, {term}, false};
+    alone.terms[0].layers.clear(); // what is told is its microsurface
     alone.name += ", " + (term.name.empty() ? term.type : term.name);
     all.push_back({alone.name, label_of(term), {alone}});
   }

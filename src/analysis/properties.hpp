@@ -63,6 +63,7 @@ struct PropertyRow {
   std::string distribution; ///< types
   std::string masking;
   std::map<Property, Residual> residuals; ///< of what was measured
+  std::string mistake{};                  ///< masking_mistake(), of a material by itself
 
   /// Of the four of Table 3: fails where one fails, holds where all hold, not_applicable where none applies. unknown
   /// where one was not measured.

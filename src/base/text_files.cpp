@@ -74,6 +74,10 @@ std::size_t InputFile::read(char* to, std::size_t size) {
   }
 }
 
+void InputFile::seek(std::uint64_t position) {
+  if (lseek(fd_, static_cast<off_t>(position), SEEK_SET) < 0) throw FileError(name_, "cannot read: " + reason(errno));
+}
+
 OutputFile::OutputFile(const std::string& path) : name_(path) {
   if (path == "-") {
     fd_ = STDOUT_FILENO;

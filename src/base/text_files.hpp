@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,8 @@ public:
   const std::string& name() const { return name_; }
   /// Reads what there is, up to `size` bytes, and waits only when there is nothing. 0 at the end.
   std::size_t read(char* to, std::size_t size);
+  /// Goes on reading at this byte of a regular file.
+  void seek(std::uint64_t position);
   /// From now on there is nothing more to read: ends the read in which another thread may be waiting.
   void stop() { stopped_ = true; }
 

@@ -26,23 +26,39 @@ struct TermBlock {
   SurfaceBlock work;
 };
 
+/// Writes rho of one term under its coats, and returns how many channels it has.
+std::size_t write_term(TermBlock& block, const PairBlock& pairs, std::array<Buffer, 3>& values) {
+  const ChannelRows own{{values[0].data(), values[1].data(), values[2].data()}};
+  const std::vector<Coat>& coats = block.term->coats;
+  std::size_t count = std::visit(
+      [&](const auto& term) {
+        term.evaluate(pairs, block.work, own);
+        return static_cast<std::size_t>(term.channels());
+      },
+      block.term->term);
+  if (coats.empty()) return count;
+  if (count == 1 && std::ranges::any_of(coats, [](const Coat& coat) { return coat.channels() > 1; })) {
+    values[1] = values[2] = values[0];
+    count = 3;
+  }
+  const auto factor = let_through(coats, pairs.o, pairs.i, pairs.n, static_cast<int>(count));
+  for (std::size_t c = 0; c < count; ++c)
+    for (std::size_t k = 0; k < pairs.n; ++k)
+      if (values[c][k] != 0) values[c][k] *= factor[c * pairs.n + k];
+  return count;
+}
+
 /// Writes the BRDF of the terms, the first of which is written and the others added.
 void write_sum(const std::vector<TermBlock*>& terms, int channels, const PairBlock& pairs, const ChannelRows& out) {
   const WeightedTerm& first = *terms[0]->term;
-  if (terms.size() == 1 && !first.weight.is_rgb && first.weight.value == Rgb{1, 1, 1})
+  if (terms.size() == 1 && first.coats.empty() && !first.weight.is_rgb && first.weight.value == Rgb{1, 1, 1})
     return std::visit([&](const auto& term) { term.evaluate(pairs, terms[0]->work, out); }, first.term);
   std::array<Buffer, 3> values;
-  const ChannelRows own{{values[0].data(), values[1].data(), values[2].data()}};
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const WeightedTerm& weighted = *terms[t]->term;
-    const int count = std::visit(
-        [&](const auto& term) {
-          term.evaluate(pairs, terms[t]->work, own);
-          return term.channels();
-        },
-        weighted.term);
+    const std::size_t count = write_term(*terms[t], pairs, values);
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-      const double* from = own.rho[count > 1 ? c : 0];
+      const double* from = values[count > 1 ? c : 0].data();
       const double w = weighted.weight.value[c];
       for (std::size_t k = 0; k < pairs.n; ++k) out.rho[c][k] = t == 0 ? w * from[k] : out.rho[c][k] + w * from[k];
     }

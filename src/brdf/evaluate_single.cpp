@@ -97,7 +97,7 @@ void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t fi
 bool is_white(const WeightedTerm& term) {
   const Fresnel* fresnel = term.fresnel();
   return term.surface() != nullptr && fresnel != nullptr && std::holds_alternative<NoFresnel>(*fresnel) &&
-         term.weight.value == Rgb{1, 1, 1} && term.channels() == 1;
+         term.weight.value == Rgb{1, 1, 1} && term.channels() == 1 && term.coats.empty();
 }
 
 /// The call that computes a quantity of a material, where there is one.

@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "brdf/kinks.hpp"
+#include "brdf/terms/coated.hpp"
 
 #include <algorithm>
 
@@ -42,16 +43,26 @@ const TermSpec& spec_of(const std::string& type) {
 
 std::string name_of(const TermDescription& term) { return term.name.empty() ? term.type : term.name; }
 
-Colour weight_of(const TermDescription& description) {
-  const auto* rgb = std::get_if<Rgb>(&description.weight);
-  const Rgb value = rgb != nullptr ? *rgb
-                                   : Rgb{std::get<double>(description.weight), std::get<double>(description.weight),
-                                         std::get<double>(description.weight)};
+Colour weight_of(const Value& weight) {
+  const auto* rgb = std::get_if<Rgb>(&weight);
+  const Rgb value =
+      rgb != nullptr ? *rgb : Rgb{std::get<double>(weight), std::get<double>(weight), std::get<double>(weight)};
   constexpr double most = 1e6;
   for (const double w : value)
     if (!(w >= 0 && w <= most))
       throw MaterialError("/weight", "found " + format_number(w) + ", accepted: a number in [0, 1e+06]");
   return {value, rgb != nullptr};
+}
+
+/// The weight of a term and of the coated terms that it is part of.
+Colour weight_of(const TermDescription& description) {
+  Colour weight = weight_of(description.weight);
+  for (const LayerDescription& layer : description.layers) {
+    const Colour one = weight_of(layer.weight);
+    for (std::size_t c = 0; c < weight.value.size(); ++c) weight.value[c] *= one.value[c];
+    weight.is_rgb = weight.is_rgb || one.is_rgb;
+  }
+  return weight;
 }
 
 /// The description with the term that it names in the place of its name.
@@ -131,7 +142,8 @@ void append_numbers(const std::vector<ModelSpec>& specs, const std::string& type
 
 const std::vector<TermSpec>& term_specs() {
   static const std::vector<TermSpec> all = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::vector<TermSpec>{term_spec<std::variant_alternative_t<I, BrdfTerm>>()...};
+    return std::vector<TermSpec>{term_spec<std::variant_alternative_t<I, BrdfTerm>>()...,
+                                 {.spec = Coated::spec(), .of_layers = true}};
   }
   (std::make_index_sequence<std::variant_size_v<BrdfTerm>>{});
   return all;
@@ -153,12 +165,14 @@ WeightedTerm build_term(const TermDescription& description) {
     throw MaterialError("/fresnel/type", "found \"" + description.fresnel.type + "\" in a term \"" + description.type +
                                              "\"; accepted: none");
   WeightedTerm made{name_of(description), weight_of(description), {}};
+  for (const LayerDescription& layer : description.layers) made.groups.push_back(layer.name);
   with_type(description.type, [&]<class T>() { made.term = T::from(description); });
   return made;
 }
 
 int WeightedTerm::channels() const {
-  return weight.is_rgb ? 3 : std::visit([](const auto& t) { return t.channels(); }, term);
+  if (weight.is_rgb || std::ranges::any_of(coats, [](const Coat& coat) { return coat.channels() > 1; })) return 3;
+  return std::visit([](const auto& t) { return t.channels(); }, term);
 }
 
 const Microsurface* WeightedTerm::surface() const {
@@ -243,7 +257,8 @@ const Microsurface& Material::surface(const std::string& term) const { return *t
 std::vector<const WeightedTerm*> terms_of(const Material& material, const std::string& name) {
   std::vector<const WeightedTerm*> terms;
   for (const WeightedTerm& term : material.terms)
-    if (name.empty() || term.name == name) terms.push_back(&term);
+    if (name.empty() || term.name == name || std::ranges::find(term.groups, name) != term.groups.end())
+      terms.push_back(&term);
   if (!terms.empty()) return terms;
   std::vector<std::string> names;
   for (const WeightedTerm& term : material.terms) names.push_back(term.name);
@@ -251,6 +266,7 @@ std::vector<const WeightedTerm*> terms_of(const Material& material, const std::s
 }
 
 std::string pointer_of_term(const MaterialDescription& description, std::size_t index) {
+  if (!description.terms[index].place.empty()) return description.terms[index].place;
   return description.listed ? "/terms/" + std::to_string(index) : "";
 }
 
@@ -281,6 +297,7 @@ Material build(const MaterialDescription& description) {
   }
   if (material.terms.empty()) throw MaterialError("/terms", "found none; accepted: one or more");
   require_one_mesosurface(material);
+  lay_coats(description, material);
   return material;
 }
 
@@ -298,12 +315,32 @@ void set_parameter(TermDescription& description, const std::string& key, double 
   throw MaterialError("/distribution", "no model of this material has a parameter \"" + key + "\"");
 }
 
+namespace {
+
+/// Sets the weight or the tint of the coated term of this name. \return whether it has one
+bool set_of_layers(MaterialDescription& description, const std::string& name, const std::string& key, double value) {
+  bool found = false;
+  for (TermDescription& term : description.terms)
+    for (LayerDescription& layer : term.layers) {
+      if (layer.name != name || (key != "weight" && key != "tint")) continue;
+      found = true;
+      if (key == "weight")
+        layer.weight = value;
+      else
+        layer.values.set(key, value);
+    }
+  return found;
+}
+
+} // namespace
+
 void set_parameter(MaterialDescription& description, const std::string& key, double value) {
   if (description.terms.size() == 1 && !description.listed) return set_parameter(description.terms[0], key, value);
   const std::size_t dot = key.find('.');
   for (TermDescription& term : description.terms)
     if (dot != std::string::npos && name_of(term) == key.substr(0, dot))
       return set_parameter(term, key.substr(dot + 1), value);
+  if (dot != std::string::npos && set_of_layers(description, key.substr(0, dot), key.substr(dot + 1), value)) return;
   throw MaterialError("/terms", unknown_name("parameter", key, parameter_keys(description)));
 }
 
@@ -328,6 +365,10 @@ std::vector<std::string> parameter_keys(const MaterialDescription& description) 
   std::vector<std::string> names;
   for (const TermDescription& term : description.terms)
     append_keys(term, description.listed ? name_of(term) + "." : "", names);
+  for (const TermDescription& term : description.terms)
+    for (const LayerDescription& layer : term.layers)
+      for (const std::string key : {".weight", ".tint"})
+        if (std::ranges::find(names, layer.name + key) == names.end()) names.push_back(layer.name + key);
   return names;
 }
 

@@ -2,6 +2,7 @@
 /// A material: a sum of weighted terms.
 #pragma once
 
+#include "brdf/coat.hpp"
 #include "brdf/terms.hpp"
 
 #include <string>
@@ -28,6 +29,8 @@ struct WeightedTerm {
   std::string name;
   Colour weight;
   BrdfTerm term;
+  std::vector<Coat> coats{};         ///< what lies over it
+  std::vector<std::string> groups{}; ///< the coated terms that it is part of
 
   int channels() const;
   /// The microsurface that it is derived from; null: none.
@@ -57,7 +60,8 @@ struct Material {
   const Microsurface& surface(const std::string& term = "") const;
 };
 
-/// The terms that count: all, or the one of this name. \throws InputError when there is none.
+/// The terms that count: all, the one of this name, or the parts of the coated term of this name. \throws InputError
+/// when there is none.
 std::vector<const WeightedTerm*> terms_of(const Material& material, const std::string& name);
 
 /// What a list of terms knows of one of its types before one is made.
@@ -67,6 +71,7 @@ struct TermSpec {
   bool has_surface = false; ///< masking and shadowing beside the distribution
   bool has_fresnel = false;
   bool of_another = false; ///< takes a term, or the name of one beside it, as "of"
+  bool of_layers = false;  ///< takes a term as "coat" and a list of them as "base": no term itself, but several
 };
 
 /// Of every type of term, in the order of the list.

@@ -8,15 +8,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace brdfplot {
 
 namespace {
 
+/// How many channels a term has under its coats.
+template <class T>
+std::size_t channels_of(const T& term, const std::vector<Coat>& coats) {
+  const bool coloured = std::ranges::any_of(coats, [](const Coat& coat) { return coat.channels() > 1; });
+  return coloured ? 3 : static_cast<std::size_t>(term.channels());
+}
+
+/// Multiplies rho of all channels by what its coats let through.
+void attenuate(const std::vector<Coat>& coats, const Batch& batch, std::size_t channels, std::vector<double>& all) {
+  if (coats.empty()) return;
+  for (std::size_t k = all.size(); k < channels * batch.n; ++k) all.push_back(all[k - batch.n]);
+  const auto factor = let_through(coats, batch.o, batch.i, batch.n, static_cast<int>(channels));
+  for (std::size_t k = 0; k < factor.size(); ++k) all[k] = all[k] == 0 ? 0 : all[k] * factor[k];
+}
+
 /// Of what is about the half vector: over the normals that reflect the viewer into the light.
 template <class T>
-ColourEstimate over_half_vectors(const T& term, const Direction& o, double tolerance, const ChannelRange& channels,
-                                 const LightWeight& weight) {
+ColourEstimate over_half_vectors(const T& term, const std::vector<Coat>& coats, const Direction& o, double tolerance,
+                                 const ChannelRange& channels, const LightWeight& weight) {
   ViewerRows rows(o);
   std::vector<double> all;
   const NormalIntegrand integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
@@ -24,6 +40,7 @@ ColourEstimate over_half_vectors(const T& term, const Direction& o, double toler
     const Batch batch = rows.with_lights(n, [&](std::size_t k) { return reflected(o, h[k]); });
     all.resize(static_cast<std::size_t>(term.channels()) * n);
     evaluate_term(term, true, batch, all.data());
+    attenuate(coats, batch, channels_of(term, coats), all);
     for (std::size_t k = 0; k < n; ++k) {
       // d omega_i = 4 (o.h) d omega_h.
       const double jacobian = 4 * dot(o, h[k]);
@@ -32,7 +49,8 @@ ColourEstimate over_half_vectors(const T& term, const Direction& o, double toler
         out[c * n + k] = all[(channels.first + c) * n + k] * jacobian * w;
     }
   };
-  const HalfVectorKinks kinks = term.kinks(o, channels);
+  HalfVectorKinks kinks = term.kinks(o, term.channels() > 1 ? channels : ChannelRange{0, 1});
+  for (const Coat& coat : coats) std::ranges::move(coat.kinks(o), std::back_inserter(kinks.switches));
   const Distribution& facets = term.facets();
   return sum_over_components(facets, o, tolerance, [&](const auto& component, const SlopeFrame& frame, double asked) {
     return integrate_lit(frame,
@@ -42,36 +60,41 @@ ColourEstimate over_half_vectors(const T& term, const Direction& o, double toler
   });
 }
 
-/// Writes rho of a term that is a quadrature, and its errors.
+/// Writes rho of a term that is a quadrature under its coats, and its errors.
 template <class T>
-void write_quadratures(const T& term, const Direction& o, const std::vector<Direction>& lights,
-                       const Tolerance& tolerance, const ChannelRange& channels, std::vector<double>& value,
-                       std::vector<double>& error) {
-  for (std::size_t k = 0; k < lights.size(); ++k) {
-    const Estimate white = term.brdf(o, lights[k], tolerance);
+void write_quadratures(const T& term, const std::vector<Coat>& coats, const Batch& batch, const Tolerance& tolerance,
+                       const ChannelRange& channels, std::vector<double>& value, std::vector<double>& error) {
+  const auto factor = let_through(coats, batch.o, batch.i, batch.n, 3);
+  for (std::size_t k = 0; k < batch.n; ++k) {
+    const Estimate white = term.brdf(batch.o[k], batch.i[k], tolerance);
     for (std::size_t c = 0; c < channels.count; ++c) {
-      const double albedo = term.albedo.value[channels.first + c];
-      value[c * lights.size() + k] = albedo * white.value;
-      error[c * lights.size() + k] = albedo * white.error;
+      const std::size_t channel = channels.first + c;
+      const double scale = term.albedo.value[channel] * (coats.empty() ? 1 : factor[channel * batch.n + k]);
+      value[c * batch.n + k] = scale * white.value;
+      error[c * batch.n + k] = scale * white.error;
     }
   }
 }
 
 /// Of what is smooth on the scale of the hemisphere.
 template <class T>
-ColourEstimate over_hemisphere(const T& term, const Direction& o, double tolerance, const ChannelRange& channels,
-                               const LightWeight& weight) {
+ColourEstimate over_hemisphere(const T& term, const std::vector<Coat>& coats, const Direction& o, double tolerance,
+                               const ChannelRange& channels, const LightWeight& weight) {
   ViewerRows rows(o);
   std::vector<double> all;
-  HemisphereIntegrand f{{}, channels.count, true};
+  constexpr bool lit_from_below = requires { term.bends(); };
+  HemisphereIntegrand f{{}, channels.count, true, lit_from_below, {}};
+  if constexpr (lit_from_below) f.bends = term.bends();
   f.rho = [&](const std::vector<Direction>& lights, const Tolerance& asked, std::vector<double>& value,
               std::vector<double>& error) {
     const std::size_t n = lights.size();
+    const Batch batch = rows.with_lights(n, [&](std::size_t k) { return lights[k]; });
     if constexpr (requires { term.brdf(o, lights[0], asked); }) {
-      write_quadratures(term, o, lights, asked, channels, value, error);
+      write_quadratures(term, coats, batch, asked, channels, value, error);
     } else {
       all.resize(static_cast<std::size_t>(term.channels()) * n);
-      evaluate_term(term, false, rows.with_lights(n, [&](std::size_t k) { return lights[k]; }), all.data());
+      evaluate_term(term, lit_from_below, batch, all.data());
+      attenuate(coats, batch, channels_of(term, coats), all);
       for (std::size_t k = 0; k < channels.count * n; ++k) {
         value[k] = all[channels.first * n + k];
         error[k] = 1e-14 * (std::fabs(value[k]) + 1);
@@ -88,18 +111,44 @@ ColourEstimate over_hemisphere(const T& term, const Direction& o, double toleran
   return integrate_hemisphere(map, f, o, tolerance, weight);
 }
 
+/// Of a term that brings a rule: what its coats let through, of each channel, goes with the weight of the light.
+template <class T>
+ColourEstimate by_its_own_rule(const T& term, const std::vector<Coat>& coats, const Direction& o, double tolerance,
+                               const ChannelRange& channels, const LightWeight& weight) {
+  if (coats.empty()) return term.reflected_light(o, tolerance, channels, weight);
+  ColourEstimate all;
+  for (std::size_t c = 0; c < channels.count; ++c) {
+    const std::size_t channel = channels.first + c;
+    const LightWeight seen = [&](const Direction& i) {
+      return weight(i) * let_through(coats, {&o.x, &o.y, &o.z}, {&i.x, &i.y, &i.z}, 1, 3)[channel];
+    };
+    const Estimate one = term.reflected_light(o, tolerance, {channel, 1}, seen).channel(0);
+    all.value[c] = one.value;
+    all.error[c] = one.error;
+    all.evaluations += one.evaluations;
+  }
+  return all;
+}
+
+ColourEstimate under_coats(const BrdfTerm& term, const std::vector<Coat>& coats, const Direction& omega_o,
+                           double tolerance, const ChannelRange& channels, const LightWeight& weight) {
+  return std::visit(
+      [&](const auto& one) {
+        if constexpr (requires { one.reflected_light(omega_o, tolerance, channels, weight); })
+          return by_its_own_rule(one, coats, omega_o, tolerance, channels, weight);
+        else if constexpr (requires { one.about_half_vector; })
+          return over_half_vectors(one, coats, omega_o, tolerance, channels, weight);
+        else
+          return over_hemisphere(one, coats, omega_o, tolerance, channels, weight);
+      },
+      term);
+}
+
 } // namespace
 
 ColourEstimate reflected_light(const BrdfTerm& term, const Direction& omega_o, double tolerance,
                                const ChannelRange& channels, const LightWeight& weight) {
-  return std::visit(
-      [&](const auto& one) {
-        if constexpr (requires { one.about_half_vector; })
-          return over_half_vectors(one, omega_o, tolerance, channels, weight);
-        else
-          return over_hemisphere(one, omega_o, tolerance, channels, weight);
-      },
-      term);
+  return under_coats(term, {}, omega_o, tolerance, channels, weight);
 }
 
 ColourEstimate reflected_light(const std::vector<const WeightedTerm*>& terms, const Direction& omega_o,
@@ -111,9 +160,10 @@ ColourEstimate reflected_light(const std::vector<const WeightedTerm*>& terms, co
     const double most = std::max({w[0], w[1], w[2]});
     if (most == 0) continue;
     const double asked = tolerance / (most * static_cast<double>(terms.size()));
-    const bool coloured = std::visit([](const auto& t) { return t.channels() > 1; }, weighted->term);
+    const bool coloured =
+        std::visit([&](const auto& t) { return channels_of(t, weighted->coats) > 1; }, weighted->term);
     const ChannelRange own = coloured ? channels : ChannelRange{0, 1};
-    ColourEstimate one = reflected_light(weighted->term, omega_o, asked, own, weight);
+    ColourEstimate one = under_coats(weighted->term, weighted->coats, omega_o, asked, own, weight);
     for (std::size_t c = own.count; c < channels.count; ++c) {
       one.value[c] = one.value[0];
       one.error[c] = one.error[0];

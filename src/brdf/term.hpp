@@ -25,15 +25,26 @@ struct Columns {
   Columns from(std::size_t first) const { return x != nullptr ? Columns{x + first, y + first, z + first} : Columns{}; }
 };
 
+/// A term "coated" that another term is part of, not yet checked.
+struct LayerDescription {
+  std::string name;    ///< of the coated term: its weight and tint are set and swept by it, its BRDF is asked for
+  Value weight = 1.0;  ///< multiplies every part of it
+  std::string coat{};  ///< the name of the term that lies over this one; none: this one is the coat
+  Values values{};     ///< of the coated term: attenuation, tint
+  std::string place{}; ///< where it stands in the JSON of the material
+};
+
 /// Names and parameters of a term, not yet checked. Which of the models it has, and which values, its type says.
 struct TermDescription : MicrosurfaceDescription {
   std::string name{};          ///< how its parameters are set and swept ("coat.alpha"); none: its type
   std::string type = "mirror"; ///< one of the list in terms.hpp
   Value weight = 1.0;          ///< a number, or one a channel
   ModelChoice fresnel{.type = "none"};
-  Values values{};                   ///< what the type has beside models: albedo, sigma, ...
-  std::string of_name{};             ///< of a term that is of another: the name of one beside it,
-  std::vector<TermDescription> of{}; ///< or it itself, one
+  Values values{};                        ///< what the type has beside models: albedo, sigma, ...
+  std::string of_name{};                  ///< of a term that is of another: the name of one beside it,
+  std::vector<TermDescription> of{};      ///< or it itself, one
+  std::vector<LayerDescription> layers{}; ///< the coated terms that it is part of, the outermost first
+  std::string place{};                    ///< where it stands in the JSON of the material, where it is part of one
 };
 
 /// The description of the other term. \throws MaterialError where there is none
@@ -71,6 +82,10 @@ inline ChannelRows rows_from(double* out, std::size_t first, std::size_t n, int 
 ///   about_half_vector        rho has D(h) as a factor, and integrals over the light follow it: facets() is the
 ///                            distribution, kinks(omega_o, channels) where the rest is not smooth; else rho is smooth
 ///                            on the scale of the hemisphere
+///   bends()                 rho c_i is not 0 below the horizon, but down to the lowest of these cosines of the light;
+///                           rho is 0 there
+///   reflected_light(o, tolerance, channels, weight)  its own rule for integrals over the light (reflected_light.hpp)
+///   piecewise_constant       rho has steps and no slope: where it is largest is a range, not a place
 ///   brdf(o, i, tolerance)    rho of albedo 1 with an error, where it is a quadrature; else rho is a closed form
 template <class T>
 concept TermModel = requires(const T& term, const PairBlock& pairs, SurfaceBlock& work, const ChannelRows& out,

@@ -19,12 +19,23 @@ const Distribution* distribution_of(const WeightedTerm& term) {
 
 /// The table is a function of cos 2 phi: E has to be symmetric about x and y.
 void require_symmetry(const WeightedTerm& term) {
-  const Distribution* facets = distribution_of(term);
-  const bool formula = term.surface() != nullptr && is_formula(term.surface()->masking);
-  if (formula || (facets != nullptr && !is_aligned(*facets)))
+  if (!has_mirror_planes(term))
     throw MaterialError("/of", "\"" + term.name +
                                    "\" is not symmetric about x and y; accepted: a term that is centred, "
                                    "without correlation, and without a masking formula");
+}
+
+/// What has a rule of its own is measured, and its albedo takes seconds to 1e-6 and is hardly known better.
+void require_smooth(const WeightedTerm& term) {
+  const bool measured = std::visit(
+      [](const auto& t) {
+        return requires { t.reflected_light(Direction{}, 0.0, ChannelRange{}, every_direction); };
+      },
+      term.term);
+  if (measured)
+    throw MaterialError("/of", "\"" + term.name +
+                                   "\" is measured, and its albedo not known as closely as a table of it "
+                                   "takes; accepted: a term that is a formula");
 }
 
 AlbedoTable table_of(const WeightedTerm& term) {
@@ -82,6 +93,12 @@ std::string key_of(const TermDescription& d) {
 
 } // namespace
 
+bool has_mirror_planes(const WeightedTerm& term) {
+  const Distribution* facets = distribution_of(term);
+  const bool formula = term.surface() != nullptr && is_formula(term.surface()->masking);
+  return !formula && (facets == nullptr || is_aligned(*facets));
+}
+
 struct TermAlbedo::Shared {
   WeightedTerm term;
   std::once_flag made;
@@ -93,6 +110,7 @@ TermAlbedo::TermAlbedo(const TermDescription& term)
         auto shared = std::make_shared<Shared>();
         shared->term = build_term(term);
         require_symmetry(shared->term);
+        require_smooth(shared->term);
         return shared;
       })) {}
 

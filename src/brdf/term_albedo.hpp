@@ -9,6 +9,12 @@
 
 namespace brdfplot {
 
+struct WeightedTerm;
+
+/// Whether the planes y = 0 and x = 0 are mirrors of the term, as far as its microsurface tells: it is centred, without
+/// correlation, and its masking is no formula.
+bool has_mirror_planes(const WeightedTerm& term);
+
 /// The albedo of a term with its weight, as a table that is made when it is first asked for: files are read and checked
 /// without. Copies share it, and so do terms of the same description, since figures build a material a value.
 class TermAlbedo {

@@ -11,12 +11,16 @@
 #include "brdf/terms/hammon_diffuse.hpp"
 #include "brdf/terms/kelemen.hpp"
 #include "brdf/terms/lambert.hpp"
+#include "brdf/terms/merl.hpp"
 #include "brdf/terms/mirror.hpp"
 #include "brdf/terms/multiple_bounce.hpp"
 #include "brdf/terms/oren_nayar.hpp"
+#include "brdf/terms/rgl.hpp"
 #include "brdf/terms/shirley.hpp"
+#include "brdf/terms/turquin.hpp"
 #include "brdf/terms/uncharted2.hpp"
 #include "brdf/terms/velvet_cloth.hpp"
+#include "brdf/terms/wrap.hpp"
 
 #include <variant>
 
@@ -29,6 +33,7 @@ using BrdfTerm = TermList<Mirror,         //
                           Kelemen2001,    //
                           Complement,     //
                           MultipleBounce, //
+                          Turquin,        //
                           FacetDiffuse,   //
                           OrenNayarFits,  //
                           FujiiOrenNayar, //
@@ -40,6 +45,9 @@ using BrdfTerm = TermList<Mirror,         //
                           HammonDiffuse,  //
                           DisneySheen,    //
                           VelvetCloth,    //
-                          Uncharted2>;
+                          Uncharted2,     //
+                          Wrap,           //
+                          Merl,           //
+                          Rgl>;
 
 } // namespace brdfplot

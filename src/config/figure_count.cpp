@@ -54,6 +54,12 @@ public:
       const double cells = root.value("cells", plot::FigureDescription{}.cells);
       samples = cells * cells;
     }
+    if (panel.contains("sphere")) {
+      double side = plot::SphereDescription{}.pixels;
+      for (const Json* level : {&root, &panel})
+        if (level->contains("sphere")) side = (*level)["sphere"].value("pixels", side);
+      add(pixels_, panels * side * side, most_points, "pixels", pointer);
+    }
     if (!panel.contains("series")) return;
     for (std::size_t k = 0; k < panel["series"].size(); ++k) {
       const Json& one = panel["series"][k];
@@ -73,7 +79,7 @@ private:
   }
 
   const JsonFile& file_;
-  double panels_ = 0, series_ = 0, points_ = 0, simulated_ = 0;
+  double panels_ = 0, series_ = 0, points_ = 0, simulated_ = 0, pixels_ = 0;
 };
 
 } // namespace

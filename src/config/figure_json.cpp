@@ -4,6 +4,7 @@
 #include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
+#include "config/figure_sphere.hpp"
 #include "config/load.hpp"
 #include "config/shapes.hpp"
 #include "figure/series/simulated.hpp"
@@ -156,14 +157,23 @@ private:
     return axis;
   }
 
+  /// A panel has what its kind draws: a profile, a sphere or else series.
+  void check_content(const Json& object, const std::string& pointer) const {
+    for (const auto& [kind, key] : {std::pair{plot::Kind::profile, "profile"}, {plot::Kind::spheres, "sphere"}}) {
+      if (object.contains(key) == (kind_ == kind)) continue;
+      const std::string name(plot::kind_of(kind).name), quoted = "\"" + std::string(key) + "\"";
+      file_.fail(pointer, kind_ == kind ? "a " + std::string(key) + " has " + quoted + ", not \"series\""
+                                        : "only a figure of kind \"" + name + "\" has " + quoted);
+    }
+  }
+
   plot::PanelDescription panel(const Json& object, const std::string& pointer, Scope scope) {
     enter(scope, object, pointer);
     plot::PanelDescription out;
     out.title = substituted(object.value("title", ""), scope.words);
-    if (object.contains("profile") != (kind_ == plot::Kind::profile))
-      file_.fail(pointer, kind_ == plot::Kind::profile ? "a profile has \"profile\", not \"series\""
-                                                       : "only a figure of kind \"profile\" has \"profile\"");
+    check_content(object, pointer);
     if (kind_ == plot::Kind::profile) return profile(object, pointer, std::move(out));
+    if (kind_ == plot::Kind::spheres) return sphere(object, pointer, scope, std::move(out));
     const bool heatmap = kind_ == plot::Kind::heatmap;
     out.x = axis(object, pointer, "x", true);
     out.y = axis(object, pointer, "y", heatmap);
@@ -192,6 +202,18 @@ private:
       out.contours.push_back({contour["label"].get<std::string>(), contour["level"].get<double>()});
     const Json arrows = object.value("arrows", Json::array());
     for (const auto& arrow : arrows) out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, pointer));
+    return out;
+  }
+
+  /// A panel that is a sphere.
+  plot::PanelDescription sphere(const Json& object, const std::string& pointer, const Scope& scope,
+                                plot::PanelDescription out) const {
+    for (const char* key : {"x", "y", "value", "compare_to", "arrows", "contours"})
+      for (const auto& [level, place] : {std::pair{&object, pointer}, {&file_.root(), std::string()}})
+        if (level->contains(key)) file_.fail(step(place, key), "a sphere has no \"" + std::string(key) + "\"");
+    out.x.column = "position";
+    out.y.column = "radiance";
+    out.sphere = read_sphere(file_, object, pointer, scope, tolerance_);
     return out;
   }
 

@@ -1,5 +1,6 @@
 #include "config/figure_count.hpp"
 #include "config/figure_profile.hpp"
+#include "config/figure_sphere.hpp"
 #include "config/shapes.hpp"
 #include "figure/series/channel.hpp"
 #include "figure/series/simulated.hpp"
@@ -11,7 +12,8 @@ namespace {
 ShapePtr setting() { return either({angle(), text()}); }
 
 ShapePtr settings() {
-  return map(setting(), "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, a, slope, "
+  return map(setting(), "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, half and "
+                        "difference angles theta_h phi_h theta_d phi_d instead of those of o and i, a, slope, "
                         "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, the type of "
                         "its distribution, masking, shadowing or fresnel, or the channel");
 }
@@ -126,6 +128,7 @@ ShapePtr panel() {
          {"at", settings(), false, "what is fixed for all series"},
          {"series", array(series(), 1, most_series), false, "what is drawn"},
          {"profile", profile_shape(), false, "profile: what is drawn; replaces keys of the figure's profile"},
+         {"sphere", sphere_shape(), false, "spheres: a sphere of the material; replaces keys of the figure's sphere"},
          {"compare_to", expression(), false,
           "polar: a lobe simulated by \"surface\", with which that of the first series is compared in numbers"},
          {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1, 3), false,
@@ -134,7 +137,7 @@ ShapePtr panel() {
           array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1, 100), false,
           "heat map: lines of a level"},
          {"for_each", for_each(), false, "one panel for each value"}},
-        {{"series"}, {"profile"}});
+        {{"series"}, {"profile"}, {"sphere"}});
   });
 }
 
@@ -158,6 +161,7 @@ ShapePtr figure_shape() {
        {"y", axis(), false, "vertical axis, or radius; heat map: the second swept variable"},
        {"value", axis(), false, "heat map: the colour bar"},
        {"profile", profile_shape(), false, "what all profiles have in common"},
+       {"sphere", sphere_shape(), false, "what all spheres have in common"},
        {"panels", array(panel(), 1, most_panels), true, "one or more"}},
       true);
 }

@@ -59,6 +59,7 @@ Field claims_field() {
 Field name_field() { return {"name", text(), false, "what figures and errors call it; default: the name of the file"}; }
 
 Field another_field();
+std::vector<Field> layer_fields();
 
 ShapePtr term_shape() {
   std::vector<std::pair<std::string, ShapePtr>> types;
@@ -76,6 +77,8 @@ ShapePtr term_shape() {
     else if (term.has_distribution)
       fields.push_back(distribution_field());
     if (term.of_another) fields.push_back(another_field());
+    if (term.of_layers)
+      for (Field& field : layer_fields()) fields.push_back(std::move(field));
     if (term.has_fresnel) fields.push_back(fresnel_field());
     for (Field& field : parameter_fields(spec)) fields.push_back(std::move(field));
     types.emplace_back(spec.type, object_with_alternatives(std::move(fields), spec.alternatives));
@@ -85,6 +88,13 @@ ShapePtr term_shape() {
 
 Field another_field() {
   return {"of", either({text(), named("term", term_shape)}), true, "the name of a term beside it, or a term"};
+}
+
+constexpr std::size_t most_terms = 64;
+
+std::vector<Field> layer_fields() {
+  return {{"coat", named("term", term_shape), true, "the term that lies over the base; its name: by default coat"},
+          {"base", array(named("term", term_shape), 1, most_terms), true, "what lies beneath it, a sum of terms"}};
 }
 
 /// A material of one term, as it is written without a list.
@@ -100,7 +110,6 @@ ShapePtr short_shape(bool top) {
 }
 
 ShapePtr list_shape(bool top) {
-  constexpr std::size_t most_terms = 64;
   return object({name_field(),
                  {"terms", array(named("term", term_shape), 1, most_terms), true, "what its BRDF is a sum of"},
                  claims_field()},
@@ -113,22 +122,81 @@ void read_microsurface(const Json& value, MicrosurfaceDescription& surface) {
   if (value.contains("shadowing")) surface.shadowing = to_choice<Shadowing>(value["shadowing"]);
 }
 
-TermDescription read_term(const Json& value) {
-  TermDescription term;
-  term.type = value["type"].get<std::string>();
-  if (value.contains("name")) term.name = value["name"].get<std::string>();
-  if (value.contains("weight")) {
-    const Json& weight = value["weight"];
-    term.weight = weight.is_number() ? Value(weight.get<double>()) : Value(weight.get<Rgb>());
+Value read_weight(const Json& value) {
+  if (!value.contains("weight")) return 1.0;
+  const Json& weight = value["weight"];
+  return weight.is_number() ? Value(weight.get<double>()) : Value(weight.get<Rgb>());
+}
+
+const TermSpec& spec_of(const Json& term) {
+  const std::string type = term["type"].get<std::string>();
+  return *std::ranges::find_if(term_specs(), [&](const TermSpec& s) { return s.spec.type == type; });
+}
+
+/// Where a material stands.
+struct Site {
+  const JsonFile& file;
+  const std::string& pointer;
+
+  /// What stands in a file names other files relative to it.
+  std::string beside(const std::string& place, const std::string& path) const {
+    return (std::filesystem::path(file.file(pointer + place)).parent_path() / path).string();
   }
+};
+
+/// `place` is where the model stands within the material.
+Values read_values(const Site& site, const Json& value, const std::string& place, const ModelSpec& spec) {
+  Values values;
+  for (const ParameterSpec& parameter : spec.parameters) {
+    if (!value.contains(parameter.key)) continue;
+    const Json& given = value[parameter.key];
+    if (parameter.kind == ParameterKind::text)
+      values.set(parameter.key, site.beside(place + "/" + parameter.key, given.get<std::string>()));
+    else
+      values.set(parameter.key, to_value(given, parameter));
+  }
+  return values;
+}
+
+TermDescription read_term(const Site& site, const Json& value, const std::string& place) {
+  TermDescription term;
+  const TermSpec& spec = spec_of(value);
+  term.type = spec.spec.type;
+  term.place = place;
+  if (value.contains("name")) term.name = value["name"].get<std::string>();
+  term.weight = read_weight(value);
   if (value.contains("distribution")) read_microsurface(value, term);
   if (value.contains("of") && value["of"].is_string()) term.of_name = value["of"].get<std::string>();
-  if (value.contains("of") && value["of"].is_object()) term.of = {read_term(value["of"])};
+  if (value.contains("of") && value["of"].is_object()) {
+    if (spec_of(value["of"]).of_layers)
+      throw MaterialError(place + "/of/type", "found \"" + value["of"]["type"].get<std::string>() +
+                                                  "\", which is several terms; accepted: one term");
+    term.of = {read_term(site, value["of"], place + "/of")};
+  }
   if (value.contains("fresnel")) term.fresnel = to_choice<Fresnel>(value["fresnel"]);
-  const auto spec = std::ranges::find_if(term_specs(), [&](const TermSpec& s) { return s.spec.type == term.type; });
-  for (const ParameterSpec& parameter : spec->spec.parameters)
-    if (value.contains(parameter.key)) term.values.set(parameter.key, to_value(value[parameter.key], parameter));
+  term.values = read_values(site, value, place, spec.spec);
   return term;
+}
+
+/// A term, or the terms that a coated one is made of.
+std::vector<TermDescription> read_terms(const Site& site, const Json& value, const std::string& place) {
+  const TermSpec& spec = spec_of(value);
+  if (!spec.of_layers) return {read_term(site, value, place)};
+  if (const TermSpec& coat = spec_of(value["coat"]); coat.of_layers || coat.of_another)
+    throw MaterialError(place + "/coat/type",
+                        "found \"" + coat.spec.type + "\"; accepted: a term that is not made of others");
+  LayerDescription layer{value.contains("name") ? value["name"].get<std::string>() : spec.spec.type, read_weight(value),
+                         "", read_values(site, value, place, spec.spec), place};
+  std::vector<TermDescription> all = {read_term(site, value["coat"], place + "/coat")};
+  if (all[0].name.empty()) all[0].name = "coat";
+  all[0].layers.push_back(layer);
+  layer.coat = all[0].name;
+  for (std::size_t k = 0; k < value["base"].size(); ++k)
+    for (TermDescription& term : read_terms(site, value["base"][k], place + "/base/" + std::to_string(k))) {
+      term.layers.insert(term.layers.begin(), layer);
+      all.push_back(std::move(term));
+    }
+  return all;
 }
 
 /// Oren and Nayar fitted one microsurface, of which their fits know sigma.
@@ -177,7 +245,9 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
   material.listed = value.contains("terms");
   try {
     if (material.listed)
-      for (const Json& term : value["terms"]) material.terms.push_back(read_term(term));
+      for (std::size_t k = 0; k < value["terms"].size(); ++k)
+        for (TermDescription& term : read_terms({file, pointer}, value["terms"][k], "/terms/" + std::to_string(k)))
+          material.terms.push_back(std::move(term));
     else
       material.terms.push_back(read_short(value));
     build(material);

@@ -48,6 +48,7 @@ Json property_row(const PropertyRow& row) {
     const auto found = row.residuals.find(info.property);
     if (found != row.residuals.end()) out[info.name] = residual_json(found->second);
   }
+  if (!row.mistake.empty()) out["mistake"] = row.mistake;
   out["physically_based"] = row.physically_based() == Verdict::holds;
   return out;
 }

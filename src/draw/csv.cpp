@@ -34,7 +34,7 @@ std::string field(std::string_view label) {
 }
 
 bool has_errors(const Figure& figure) {
-  if (figure.kind == Kind::profile) return false;
+  if (figure.kind == Kind::profile || figure.kind == Kind::spheres) return false;
   const auto simulated = [](const Series& series) { return !series.error.empty(); };
   return std::ranges::any_of(figure.panels, [&](const Panel& panel) {
     return !panel.notes.empty() || std::ranges::any_of(panel.series, simulated);

@@ -20,6 +20,7 @@ enum class Kind {
   polar,   ///< lobes in the plane of incidence: radius y at the signed angle x from the normal
   heatmap, ///< a value over two swept variables, with a colour bar
   profile, ///< a microsurface in profile, height y at x on one scale, with directions and rays
+  spheres, ///< lit spheres, each a picture
 };
 
 /// What the drawing of a kind gives.
@@ -49,12 +50,16 @@ void set_no_range(PanelPlan& panel, const Extent& data, int columns);
 void measure_profile(const Figure& figure, FigurePlan& plan, double width);
 void draw_profile(SvgWriter& svg, const PanelPlan& plan);
 
+void measure_spheres(const Figure& figure, FigurePlan& plan, double width);
+void draw_spheres(SvgWriter& svg, const PanelPlan& plan);
+
 /// In the order of `Kind`.
 inline constexpr std::array panel_kinds = {
     PanelKind{"lines", set_lines_range, measure_cartesian, draw_lines},
     PanelKind{"polar", set_polar_range, measure_polar, draw_polar},
     PanelKind{"heatmap", set_heatmap_range, measure_cartesian, draw_heatmap},
     PanelKind{"profile", set_no_range, measure_profile, draw_profile},
+    PanelKind{"spheres", set_no_range, measure_spheres, draw_spheres},
 };
 
 constexpr const PanelKind& kind_of(Kind kind) { return panel_kinds[static_cast<std::size_t>(kind)]; }

@@ -95,6 +95,16 @@ struct Sketch {
   std::vector<Pointer> arrows{};
 };
 
+/// Pixels of 8 bits a channel in sRGB (IEC 61966-2-1), in rows from the top: 1 channel (grey) or 3, then, where it is
+/// not opaque, how much of the pixel is covered.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  int channels = 1;
+  bool opaque = true;
+  std::vector<unsigned char> bytes{};
+};
+
 struct Panel {
   std::string title; ///< drawn above the panel and written to the CSV; may be empty when there is one panel
   Axis x;
@@ -105,7 +115,8 @@ struct Panel {
   std::optional<Grid> grid;      ///< heat map only
   std::vector<Contour> contours; ///< heat map only
   std::vector<Note> notes{};
-  std::optional<Sketch> sketch{}; ///< profile only: its series are the parts of the surface, broken by NaN
+  std::optional<Sketch> sketch{};   ///< profile only: its series are the parts of the surface, broken by NaN
+  std::optional<Picture> picture{}; ///< spheres only: its series are the radiance along a diameter, not drawn
 };
 
 /// Which panels share the range of their value axis where it is automatic.

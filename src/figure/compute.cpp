@@ -6,6 +6,7 @@
 #include "figure/sampling.hpp"
 #include "figure/series/compare.hpp"
 #include "figure/series/evaluator.hpp"
+#include "figure/spheres/panel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -221,6 +222,10 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
       figure.panels.push_back(naming(place(description, from), [&] { return profile_panel(from); }));
       continue;
     }
+    if (description.kind == Kind::spheres) {
+      figure.panels.push_back(naming(place(description, from), [&] { return sphere_panel(from, threads); }));
+      continue;
+    }
     Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}, {}};
     if (description.kind == Kind::heatmap) {
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
@@ -250,7 +255,7 @@ std::vector<SimulationTask> simulations(const FigureDescription& description) {
       tasks.push_back({key, where, std::move(run)});
     }
   };
-  if (description.kind == Kind::heatmap || description.kind == Kind::profile) return tasks;
+  if (description.kind != Kind::lines && description.kind != Kind::polar) return tasks;
   for (const auto& panel : description.panels) {
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const std::string where = place(description, panel, k);

@@ -18,6 +18,8 @@ namespace brdfplot::plot {
 
 /// A variable with its value; what is set is not swept. Variables are
 /// - directions: theta_o, phi_o, theta_i, phi_i, theta_m, phi_m (radians);
+/// - or, instead of those of o and i, their half and difference angles: theta_h, phi_h, theta_d, phi_d (see
+///   math/half_difference.hpp); the thetas both, a phi that is not set is 0;
 /// - `a`: theta_o such that 1 / (alpha_o tan theta_o) = a; `slope`: theta_m = atan slope;
 /// - transformations of the whole configuration, directions included: stretch_x, stretch_y (Heitz 2014, section 5.1),
 ///   shear_x, shear_y (section 5.5);
@@ -91,6 +93,24 @@ struct ProfileDescription {
   std::vector<std::string> numbers{}; ///< measured on the whole surface: see profile_numbers()
 };
 
+/// What lights a sphere. Directions go from it to the light: theta from the direction of the viewer, phi from the right
+/// of the picture, counterclockwise (radians).
+struct Light {
+  enum class Type { directional, sphere, environment } type = Type::directional;
+  double theta = 0, phi = 0;
+  double radius = 0; ///< sphere: the angle under which its radius is seen
+  Colour colour;     ///< directional: irradiance across its direction; else radiance
+};
+
+/// A lit sphere (see spheres/panel.hpp).
+struct SphereDescription {
+  MaterialDescription material;
+  std::vector<Setting> at{}; ///< of the material only
+  std::vector<Light> lights{};
+  double exposure = 1; ///< radiance times it is what is shown, 1 as white
+  int pixels = 256;    ///< along each side of the picture
+};
+
 struct PanelDescription {
   std::string title;
   Axis x; ///< swept: `column` is the variable, from and to are given
@@ -102,6 +122,7 @@ struct PanelDescription {
   std::vector<ContourDescription> contours;
   std::optional<Term> compare_to;              ///< a simulated lobe with which series[0] is compared: see compare.hpp
   std::optional<ProfileDescription> profile{}; ///< profile: instead of series
+  std::optional<SphereDescription> sphere{};   ///< spheres: instead of series
 };
 
 struct FigureDescription {

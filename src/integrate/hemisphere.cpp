@@ -54,23 +54,27 @@ ColourEstimate integrate_hemisphere(const SlopeMap& map, const HemisphereIntegra
     f.rho(lights, of_rho, values, errors);
     for (std::size_t k = 0; k < n; ++k) {
       const Direction& i = lights[k];
-      const double scale = copies * std::max(0.0, map.project(i).c) * weight(i) * std::sin(theta[k]);
+      const double cosine = f.times_cosine ? 1 : std::max(0.0, map.project(i).c);
+      const double scale = copies * cosine * weight(i) * std::sin(theta[k]);
       for (std::size_t c = 0; c < f.channels; ++c) {
         out[c * n + k] = values[c * n + k] * scale;
         worst = std::max(worst, errors[c * n + k] * std::fabs(scale));
       }
     }
   };
-  std::vector<double> thetas = {0, 0.5 * pi};
-  if (basis.theta_o > 1e-8) thetas.insert(thetas.begin() + 1, basis.theta_o);
+  std::vector<double> thetas = {0};
+  for (const double c : f.bends) thetas.push_back(std::acos(std::clamp(c, -1.0, 1.0)));
+  if (f.bends.empty()) thetas.push_back(0.5 * pi);
+  if (basis.theta_o > 1e-8) thetas.push_back(basis.theta_o);
+  std::ranges::sort(thetas);
   const std::array<double, 5> turn = {-pi, -0.5 * pi, 0, 0.5 * pi, pi};
   const auto phis = std::span(turn).subspan(f.symmetric ? 2 : 0);
   std::vector<Rectangle> rectangles;
   for (std::size_t t = 0; t + 1 < thetas.size(); ++t)
     for (std::size_t p = 0; p + 1 < phis.size(); ++p)
-      rectangles.push_back({thetas[t], thetas[t + 1], phis[p], phis[p + 1]});
+      if (thetas[t] < thetas[t + 1]) rectangles.push_back({thetas[t], thetas[t + 1], phis[p], phis[p + 1]});
   ColourEstimate estimate = integrate_plane(integrand, f.channels, rectangles, {.absolute = 0.5 * tolerance});
-  const double area = 0.5 * pi * (phis.back() - phis.front());
+  const double area = thetas.back() * (phis.back() - phis.front());
   for (std::size_t c = 0; c < f.channels; ++c) estimate.error[c] += area * worst;
   return estimate;
 }

@@ -18,13 +18,16 @@ struct HemisphereIntegrand {
                      std::vector<double>& error)>
       rho;
   std::size_t channels = 1;
-  bool symmetric = false; ///< the mirror image at the plane of incidence changes nothing
+  bool symmetric = false;      ///< the mirror image at the plane of incidence changes nothing
+  bool times_cosine = false;   ///< rho c_i instead of rho
+  std::vector<double> bends{}; ///< cosines of i with the mean normal where rho bends, but 1; light reaches down to the
+                               ///< lowest one, or to the horizon where there are none
 };
 
-/// int rho(o, i) c_i w(i) di of each channel over the directions above the mesosurface, whose slopes are those of
-/// `map`, where rho is smooth on the scale of the hemisphere: facets that are not mirrors. Polar angles about the mean
-/// normal, cut where BRDFs of rough surfaces have a kink: at i = o, and where the azimuths of o and i are equal, at
-/// right angles or opposite. The error of rho itself is part of the estimate.
+/// int rho(o, i) c_i w(i) di of each channel over the directions that light comes from, above a mesosurface whose
+/// slopes are those of `map`, where rho is smooth on the scale of the hemisphere: facets that are not mirrors. Polar
+/// angles about the mean normal, cut where BRDFs of rough surfaces have a kink: at i = o, and where the azimuths of o
+/// and i are equal, at right angles or opposite. The error of rho itself is part of the estimate.
 ColourEstimate integrate_hemisphere(const SlopeMap& map, const HemisphereIntegrand& f, const Direction& omega_o,
                                     double tolerance, const std::function<double(const Direction& omega_i)>& weight);
 

@@ -33,6 +33,7 @@ struct ShapeInvariant {
     return spec;
   }
   static Made<ShapeInvariant> from(const Values& values) {
+    if (auto error = SlopeMap::problem(values)) return std::move(*error);
     const SlopeMap map = SlopeMap::from(values);
     if (auto error = map.problem()) return std::move(*error);
     if constexpr (requires { std::get<ParameterError>(Shape::from(values)); }) {

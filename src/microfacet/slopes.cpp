@@ -14,7 +14,55 @@ constexpr double largest_ratio = 1e6; ///< of the two axes
 
 constexpr const char* roughness_doc = "r of alpha = r^2 (Burley 2012)";
 
+/// How renderers make alpha of the roughness r that their users set, by name.
+struct RoughnessConvention {
+  const char* name;
+  double (*alpha)(double r);
+};
+
+double squared(double r) { return r * r; }
+
+constexpr RoughnessConvention conventions[] = {
+    {"gltf", squared},
+    {"openpbr", squared},
+    {"unreal", squared},
+    {"cycles", squared},
+    {"disney", [](double r) { return std::max(1e-3, r * r); }},
+    {"pbrt", [](double r) { return std::sqrt(r); }},
+    {"pbrt_v3", [](double r) {
+       const double x = std::log(std::max(r, 1e-3));
+       return 1.62142 + x * (0.819955 + x * (0.1734 + x * (0.0171201 + x * 0.000640711)));
+     }}};
+
+std::vector<std::string> convention_names() {
+  std::vector<std::string> names;
+  for (const RoughnessConvention& one : conventions) names.emplace_back(one.name);
+  return names;
+}
+
+double alpha_by_convention(const std::string& name, double r) {
+  return std::ranges::find_if(conventions, [&](const auto& one) { return one.name == name; })->alpha(r);
+}
+
 } // namespace
+
+double toksvig_exponent(double exponent, double length) {
+  return length * exponent / (length + exponent * (1 - length));
+}
+
+double toksvig_alpha(double alpha, double length) {
+  // With alpha^2 = 2 / (n + 2), q = 1 / n = alpha^2 / (2 (1 - alpha^2)), and q' = q + (1 - |N|) / |N|.
+  const double wider = (1 - length) / length, rest = (1 - alpha) * (1 + alpha);
+  const double numerator = alpha * alpha + 2 * rest * wider; // 2 (1 - alpha^2) q'
+  return std::sqrt(numerator / (rest + numerator));
+}
+
+ParameterSpec mean_normal_length() {
+  return {.key = "mean_normal_length",
+          .bounds = {.min = 1e-6, .max = 1},
+          .doc = "length of the mean of the normals of a filtered map, which widens the lobe (Toksvig 2005; "
+                 "Akenine-Moller et al. 2018, Eq. 9.76)"};
+}
 
 std::vector<ParameterSpec> SlopeMap::parameters() {
   const Bounds roots{.min = std::sqrt(roughnesses.min), .max = std::sqrt(roughnesses.max)};
@@ -30,6 +78,13 @@ std::vector<ParameterSpec> SlopeMap::parameters() {
            .bounds = {.min = -1, .max = 1, .open_min = true, .open_max = true},
            .doc = "k of alpha_x = roughness^2 (1 + k), alpha_y = roughness^2 (1 - k) (Kulla and Conty 2017; "
                   "Akenine-Moller et al. 2018, Eq. 9.55)"},
+          {.key = "roughness_convention",
+           .kind = ParameterKind::choice,
+           .doc =
+               "whose roughness it is, in [0.001, 1]: alpha is its square, but for disney at least 0.001, for pbrt its "
+               "root, and for pbrt_v3 a polynomial of its logarithm",
+           .choices = convention_names()},
+          mean_normal_length(),
           {.key = "correlation",
            .bounds = {.min = -1, .max = 1, .open_min = true, .open_max = true},
            .fallback = 0.0,
@@ -47,7 +102,11 @@ SlopeMap SlopeMap::from(const Values& values) {
     map.alpha_x = values.number("alpha_x");
     map.alpha_y = values.number("alpha_y");
   } else {
-    const double alpha = alpha_from(values);
+    const double alpha = values.has("roughness_convention")
+                             ? alpha_by_convention(values.text("roughness_convention"), values.number("roughness"))
+                         : values.has("mean_normal_length")
+                             ? toksvig_alpha(values.number("alpha"), values.number("mean_normal_length"))
+                             : alpha_from(values);
     const double k = values.has("imageworks_anisotropy") ? values.number("imageworks_anisotropy") : 0;
     const double q = values.has("disney_anisotropy") ? std::sqrt(1 - 0.9 * values.number("disney_anisotropy")) : 1;
     map.alpha_x = alpha * (1 + k) / q;
@@ -58,6 +117,19 @@ SlopeMap SlopeMap::from(const Values& values) {
   map.mean_x = mean[0];
   map.mean_y = mean[1];
   return map;
+}
+
+std::optional<ParameterError> SlopeMap::problem(const Values& values) {
+  const auto outside = [&](const char* key, const Bounds& accepted,
+                           const char* beside) -> std::optional<ParameterError> {
+    if (accepted.contains(values.number(key))) return std::nullopt;
+    return ParameterError{key, "found " + format_number(values.number(key)) + ", accepted beside \"" + beside +
+                                   "\": " + accepted.describe()};
+  };
+  if (values.has("roughness_convention")) return outside("roughness", {.min = 1e-3, .max = 1}, "roughness_convention");
+  if (values.has("mean_normal_length"))
+    return outside("alpha", {.min = roughnesses.min, .max = 1}, "mean_normal_length");
+  return std::nullopt;
 }
 
 std::optional<ParameterError> SlopeMap::problem() const {

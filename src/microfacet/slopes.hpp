@@ -71,7 +71,8 @@ struct SlopeMap {
 
   bool centred() const { return mean_x == 0 && mean_y == 0; }
 
-  /// The parameters `alpha`, or `alpha_x` and `alpha_y`, or `roughness` alone or with an anisotropy; `correlation`;
+  /// The parameters `alpha`, alone or with the length of a filtered normal (toksvig_alpha()), or `alpha_x` and
+  /// `alpha_y`, or `roughness` alone, with an anisotropy or with the convention of a renderer; `correlation`;
   /// `mean_slope`.
   static std::vector<ParameterSpec> parameters();
   static std::vector<std::vector<std::string>> alternatives() {
@@ -79,13 +80,26 @@ struct SlopeMap {
             {"alpha_x", "alpha_y"},
             {"roughness"},
             {"roughness", "disney_anisotropy"},
-            {"roughness", "imageworks_anisotropy"}};
+            {"roughness", "imageworks_anisotropy"},
+            {"roughness", "roughness_convention"},
+            {"alpha", "mean_normal_length"}};
   }
   static SlopeMap from(const Values& values);
+  /// Of two parameters together: a roughness that no renderer takes, an alpha whose lobe Toksvig does not widen.
+  static std::optional<ParameterError> problem(const Values& values);
   /// Of parameters that are good one by one: a roughness that an anisotropy takes out of [1e-6, 1e6], or two more than
   /// 1e6 apart. Within, everything there is to evaluate is finite.
   std::optional<ParameterError> problem() const;
 };
+
+/// The alpha, or the exponent n of a power of the cosine, of a surface whose normals vary about their mean, of which
+/// `length` in (0, 1] is left: n' = |N| n / (|N| + n (1 - |N|)) (Toksvig 2005; Akenine-Moller et al. 2018, Eq. 9.76),
+/// and of alpha by n = 2 / alpha^2 - 2. Without the cancellation of n for alpha near 1, where n is 0 and stays. Domain
+/// alpha <= 1, n >= 0.
+double toksvig_alpha(double alpha, double length);
+double toksvig_exponent(double exponent, double length);
+/// `mean_normal_length` of the two.
+ParameterSpec mean_normal_length();
 
 /// The parameters of a distribution with one alpha: `alpha` within bounds, or `roughness`, its root.
 std::vector<ParameterSpec> isotropic_roughness(const Bounds& bounds, const std::string& doc);

@@ -32,6 +32,26 @@ TEST_CASE("check: a claim that holds, and one that does not") {
   CHECK(bad.out.find("theta_o = 89deg, phi_o = 90deg") != std::string::npos);
 }
 
+TEST_CASE("check: a masking function that is Smith's at another convention of roughness is told") {
+  const Folder folder;
+  const auto material = [&](const std::string& alpha) {
+    return R"({"distribution": {"type": "ggx", "alpha": 0.3}, "masking": {"type": "custom",
+      "lambda": "(sqrt(1 + )" +
+           alpha + R"( * tan_theta^2) - 1) / 2"}})";
+  };
+  folder.write("right.json", material("alpha^2"));
+  folder.write("squared.json", material("alpha^4"));
+  folder.write("root.json", material("alpha"));
+  folder.write("other.json", material("alpha^3"));
+  const auto told = [&](const std::string& file) { return run(folder, "brdfplot check " + file).out; };
+  CHECK(told("squared.json").find("  ! G1 is Smith's with alpha^2 in the place of alpha\n") != std::string::npos);
+  CHECK(told("root.json").find("  ! G1 is Smith's with sqrt(alpha) in the place of alpha\n") != std::string::npos);
+  CHECK(told("right.json").find("  !") == std::string::npos);
+  CHECK(told("other.json").find("  !") == std::string::npos);
+  const auto json = nlohmann::json::parse(run(folder, "brdfplot check root.json --json").out);
+  CHECK(json["rows"][0]["mistake"] == "G1 is Smith's with sqrt(alpha) in the place of alpha");
+}
+
 TEST_CASE("check: what is of a microsurface does not apply to a BRDF that is a fit") {
   const Folder folder;
   const std::string text = check_output(folder, "brdfplot check configs/materials/oren_nayar.json");

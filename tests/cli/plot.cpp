@@ -44,6 +44,27 @@ TEST_CASE("figures are the same bytes on any number of threads") {
   }
 }
 
+TEST_CASE("spheres are pictures within the SVG, the same on any number of threads") {
+  const Folder folder;
+  folder.write("a.json", R"({"id": "balls", "kind": "spheres", "title": "Balls", "caption": "Two.", "columns": 2,
+  "material": {"distribution": {"type": "ggx", "alpha": 0.5}},
+  "sphere": {"pixels": 64, "lights": [{"type": "sphere", "theta": 0.7, "phi": 2, "radius": "10deg", "radiance": 9}]},
+  "panels": [{"title": "α = {alpha}", "sphere": {}, "for_each": {"variable": "alpha", "values": [0.2, 0.6]}}]})");
+  for (const char* threads : {"1", "3"})
+    CHECK(check_output(folder, "brdfplot plot a.json -o out" + std::string(threads) + " --threads " + threads) == "");
+  const std::string svg = folder.read("out1/balls.svg"), csv = folder.read("out1/balls.csv");
+  CHECK(svg == folder.read("out3/balls.svg"));
+  CHECK(csv == folder.read("out3/balls.csv"));
+  CHECK(csv.starts_with("panel,series,position,radiance\nα = 0.2,radiance,-0.99,0\n"));
+  CHECK(csv.find("α = 0.2,above_white,,0.0") != std::string::npos);
+  CHECK(std::ranges::count(csv, '\n') == 1 + 2 * 100 + 1);
+  std::size_t pictures = 0;
+  for (auto at = svg.find("href=\"data:image/png;base64,iVBORw0KGgo"); at != std::string::npos;
+       at = svg.find("href=\"data:image/png;base64,iVBORw0KGgo", at + 1))
+    ++pictures;
+  CHECK(pictures == 2);
+}
+
 TEST_CASE("progress") {
   const Folder folder;
   folder.write("a.json", figure("one"));

@@ -131,6 +131,24 @@ TEST_CASE("the report on Real-Time Rendering: what its captions say is what its 
   CHECK(std::min(least_disney, least_hammon) > 1);
   CHECK(std::fabs(last_of("rtr_diffuse_albedo", "rough", "Oren–Nayar").first - 1.02) < 0.005);
   CHECK(std::fabs(last_of("rtr_diffuse_albedo", "rough", "EON").first - 1) < 1e-6);
+  const auto most_of = [&](const std::string& figure, const std::string& panel, const std::string& series) {
+    std::pair<double, double> most{0, 0};
+    for (const auto& row : cells(folder.read("out/figures/" + figure + ".csv")))
+      if (row[0] == panel && row[1] == series && std::stod(row[3]) > most.first)
+        most = {std::stod(row[3]), std::stod(row[2]) * 180 / std::numbers::pi};
+    return most;
+  };
+  CHECK(std::fabs(most_of("rtr_coat", "base alone", "both ways").first - 0.872) < 0.0005);
+  CHECK(most_of("rtr_coat", "coat and base", "both ways").first < 1);
+  const auto half = most_of("rtr_coat", "coat and base", "half: the viewer’s alone");
+  CHECK(std::fabs(half.first - 1.0005) < 0.00005);
+  CHECK(std::fabs(half.second - 46) < 0.5);
+  CHECK(std::fabs(last_of("rtr_coat", "coat and base", "at the half vector").first - 1.31) < 0.005);
+  CHECK(std::fabs(last_of("rtr_coat", "coat and base", "none").first - 1.39) < 0.005);
+  CHECK(std::fabs(last_of("rtr_wrap", "all light", "printed").first - 1.5) < 1e-9);
+  CHECK(std::fabs(last_of("rtr_wrap", "all light", "ratio").first - 2) < 1e-9);
+  CHECK(std::fabs(most_of("rtr_wrap", "all light", "conserving").first - 1) < 1e-9);
+  CHECK(std::fabs(last_of("rtr_wrap", "all light", "conserving").second - 1) < 1e-9);
   // The first power of mean F is too bright, by seven times where f0 = 0.1; the square is a third too dark at 85deg.
   const auto at_85 = [&](const std::string& panel, const std::string& series) {
     return last_of("rtr_multiple_bounce", panel, series).first;

@@ -110,3 +110,35 @@ TEST_CASE("terms: cloth is made of terms without a microsurface") {
               {"none of its terms has a microsurface"});
   CHECK(check_output(folder, "brdfplot list terms").find("velvet_cloth") != std::string::npos);
 }
+
+TEST_CASE("terms: a coated term is its coat and its base, by name, and errors name their place") {
+  const Folder folder;
+  folder.write("in.csv", "theta_o,theta_i\n60deg,-50deg\n");
+  const std::string coat_of = R"({"type": "mirror", "distribution": {"type": "ggx", "alpha": 0.03},
+    "fresnel": {"type": "dielectric", "eta": 1.5}})";
+  const auto material = [&](const std::string& rest) {
+    return R"({"terms": [{"name": "paint", "type": "coated", "coat": )" + coat_of + R"(, "base": [{"name": "flakes",
+      "type": "mirror", "distribution": {"type": "beckmann", "alpha": 0.35}}, {"type": "lambert"}])" +
+           rest + "}]}";
+  };
+  folder.write("m.json", material(""));
+  const auto all =
+      cells(check_output(folder, "brdfplot eval m.json -q brdf,paint.brdf,coat.brdf,flakes.brdf,lambert.brdf,"
+                                 "coat.g1,paint.albedo -i in.csv"));
+  CHECK(all[1][2] == all[1][3]);
+  CHECK(std::stod(all[1][2]) == doctest::Approx(std::stod(all[1][4]) + std::stod(all[1][5]) + std::stod(all[1][6])));
+  CHECK(std::stod(all[1][6]) < 0.3); // less than 1 / pi
+  folder.write("tint.json", material(R"(, "tint": [0.5, 0.5, 2])"));
+  check_error(folder, "brdfplot eval tint.json -q brdf -i in.csv", 2, {"tint.json: /terms/0/tint/2: found 2"});
+  folder.write("attenuation.json", material(R"(, "attenuation": "full")"));
+  check_error(folder, "brdfplot eval attenuation.json -q brdf -i in.csv", 2,
+              {"/terms/0/attenuation", "\"full\"", "half_vector"});
+  folder.write("deep.json", R"({"terms": [{"type": "coated", "coat": )" + coat_of +
+                                R"(, "base": [{"type": "mirror", "distribution": {"type": "ggx", "alpha_x": 0.1,
+      "alpha_y": 0.1, "correlation": 2}}]}]})");
+  check_error(folder, "brdfplot eval deep.json -q brdf -i in.csv", 2, {"/terms/0/base/0/distribution/correlation"});
+  folder.write("f.json", R"({"id": "f", "kind": "lines", "title": "T", "caption": "C",
+    "material": {"$ref": "m.json"}, "at": {"theta_o": "50deg"}, "x": {"variable": "paint.weight", "from": 0, "to": 1,
+    "samples": 3}, "panels": [{"series": [{"quantity": "albedo"}, {"quantity": "paint.albedo"}]}]})");
+  check_output(folder, "brdfplot plot f.json -o . --quiet");
+}

@@ -48,6 +48,17 @@ PROFILE = {
     "profile": {"surface": {"type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4}, "omega_o": "60deg"},
     "panels": [{"profile": {"rays": 3}}],
 }
+SPHERES = {
+    "id": "f",
+    "kind": "spheres",
+    "title": "T",
+    "caption": "C",
+    "material": MATERIAL,
+    "sphere": {"lights": [{"type": "environment", "radiance": 0.5},
+                          {"type": "directional", "theta": "50deg", "phi": 2, "irradiance": [1, 2, 3]}], "exposure": 0.5},
+    "panels": [{"sphere": {}, "for_each": {"variable": "alpha", "values": [0.1, 1]}},
+               {"sphere": {"pixels": 64, "lights": [{"type": "sphere", "theta": 0, "radius": "10deg", "radiance": 1}]}}],
+}
 GONE = object()
 
 # Kind, where, what is put there (GONE: taken away).
@@ -90,6 +101,7 @@ GOOD = [
     ("figure", "/panels/0/for_each", {"variable": "alpha", "values": [0.1, 1], "labels": ["a", "b"]}),
     ("figure", "/panels/0/for_each", [{"variable": "distribution", "values": ["ggx"]}]),
     ("figure", "", PROFILE),
+    ("figure", "", SPHERES),
     ("figure", "/profile", {"seed": 3, "cells": 12}),
     ("report", "/introduction", "I"),
     ("report", "/entries/0/table/tolerance", 1e-3),
@@ -103,6 +115,16 @@ GOOD = [
 ]
 
 BAD = [
+    # Spheres: one or more lights, each with what its type takes
+    ("figure", "/sphere", {"lights": []}),
+    ("figure", "/sphere", {"lights": [{"type": "spot", "radiance": 1}]}),
+    ("figure", "/sphere", {"lights": [{"type": "environment", "radiance": -1}]}),
+    ("figure", "/sphere", {"lights": [{"type": "environment", "radiance": [1, 1]}]}),
+    ("figure", "/sphere", {"lights": [{"type": "directional", "theta": 1, "radiance": 1}]}),
+    ("figure", "/sphere", {"lights": [{"type": "sphere", "theta": 1, "radiance": 1}]}),
+    ("figure", "/sphere", {"pixels": 4096}),
+    ("figure", "/sphere", {"exposure": 0}),
+    ("figure", "/panels/0/sphere", {}),
     # Terms: one or more, each with what its type takes
     ("material", "", {"terms": []}),
     ("material", "", {"terms": [{"type": "lambert"}], **MATERIAL}),

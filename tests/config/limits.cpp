@@ -103,6 +103,18 @@ TEST_CASE("figures that are too much to draw") {
         "a.json: /panels/0/series/0: 600000 simulated points; accepted: at most 100000 in one figure");
 }
 
+TEST_CASE("spheres that are too much to draw") {
+  const auto spheres = [](const std::string& panels) {
+    return R"({"id": "f", "kind": "spheres", "title": "T", "caption": "C", "material": {"distribution": )" + ggx +
+           R"(}, "sphere": {"pixels": 512, "lights": [{"type": "environment", "radiance": 1}]}, "panels": [)" + panels +
+           "]}";
+  };
+  CHECK(said_of(spheres(R"({"sphere": {}, )" + each(repeated("0.5", 600)) + "}")) ==
+        "a.json: /panels/0: 157286400 pixels; accepted: at most 10000000 in one figure");
+  CHECK(said_of(spheres(repeated(R"({"sphere": {"pixels": 2048}})", 3))) ==
+        "a.json: /panels/2: 12582912 pixels; accepted: at most 10000000 in one figure");
+}
+
 TEST_CASE("tables that are too much to measure") {
   const auto table = [](int count) {
     return R"({"title": "T", "entries": [{"section": "S", "table": {"id": "p", "title": "P", "caption": "C", "maskings": [)" +

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "draw/base64.hpp"
 #include "draw/html/page.hpp"
 #include "draw/html/style.hpp"
 #include "draw/text.hpp"
@@ -15,17 +15,6 @@
 namespace brdfplot::plot {
 
 namespace {
-
-void append_base64(std::string& out, std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? digits[group >> (18U - 6U * k) & 63U] : '=';
-  }
-}
 
 /// An entry with its caption's name and number ("Figure 3").
 struct Numbered {

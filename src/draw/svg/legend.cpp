@@ -27,6 +27,7 @@ struct Item {
 
 std::vector<Item> items_of(const Panel& panel, Kind kind, const std::vector<std::string>& contour_labels) {
   std::vector<Item> items;
+  if (kind == Kind::spheres) return items; // what they show is no line
   if (kind != Kind::heatmap) {
     for (const auto& series : panel.series) items.push_back({series.label, series.style, series.ramp});
     return items;

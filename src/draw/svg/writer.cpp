@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/base64.hpp"
 #include "draw/number_text.hpp"
 
 namespace brdfplot::plot {
@@ -146,6 +147,17 @@ void SvgWriter::rect(const Box& box, std::string_view classes) {
   attribute("width", box.w);
   attribute("height", box.h);
   out_ += "/>\n";
+}
+
+void SvgWriter::image(const Box& box, std::string_view type, std::string_view bytes) {
+  out_ += "<image";
+  attribute("x", box.x);
+  attribute("y", box.y);
+  attribute("width", box.w);
+  attribute("height", box.h);
+  out_.append(" href=\"data:").append(type).append(";base64,");
+  append_base64(out_, bytes);
+  out_ += "\"/>\n";
 }
 
 void SvgWriter::text(Point at, std::string_view label, double size, Anchor anchor, std::string_view classes,

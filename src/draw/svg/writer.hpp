@@ -77,6 +77,8 @@ public:
   void path(const PathData& data, const Stroke& stroke);
   void line(Point from, Point to, const Stroke& stroke);
   void rect(const Box& box, std::string_view classes);
+  /// A picture, stretched to the box, as a data URI.
+  void image(const Box& box, std::string_view type, std::string_view bytes);
   /// One line of text with its baseline at `at`.
   void text(Point at, std::string_view label, double size, Anchor anchor, std::string_view classes = "bp-ink",
             bool bold = false);

@@ -17,8 +17,11 @@ bool is_grey(const Value& value) {
 bool is_grey(const MaterialDescription& material) {
   return std::ranges::all_of(material.terms, [](const TermDescription& term) {
     const auto grey = [](const auto& entry) { return is_grey(entry.second); };
-    return is_grey(term.weight) && std::ranges::all_of(term.values.map(), grey) &&
-           std::ranges::all_of(term.fresnel.values.map(), grey);
+    const auto grey_layer = [&](const LayerDescription& layer) {
+      return is_grey(layer.weight) && std::ranges::all_of(layer.values.map(), grey);
+    };
+    return is_grey(term.weight) && std::ranges::all_of(term.layers, grey_layer) &&
+           std::ranges::all_of(term.values.map(), grey) && std::ranges::all_of(term.fresnel.values.map(), grey);
   });
 }
 

@@ -43,7 +43,7 @@ std::pair<TermDescription*, std::string> term_of(MaterialDescription& material, 
 Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
 
 /// So many of direction_variables() move directions; what comes after them, and parameters, change the surface.
-constexpr std::ptrdiff_t moving_variables = 8;
+constexpr std::ptrdiff_t moving_variables = 12;
 
 bool changes_surface(const std::string& variable) {
   const auto& names = direction_variables();
@@ -53,8 +53,9 @@ bool changes_surface(const std::string& variable) {
 } // namespace
 
 const std::vector<std::string>& direction_variables() {
-  static const std::vector<std::string> names = {"theta_o", "phi_o", "theta_i",   "phi_i",     "theta_m", "phi_m",
-                                                 "a",       "slope", "stretch_x", "stretch_y", "shear_x", "shear_y"};
+  static const std::vector<std::string> names = {"theta_o",   "phi_o",     "theta_i", "phi_i",  "theta_m", "phi_m",
+                                                 "theta_h",   "phi_h",     "theta_d", "phi_d",  "a",       "slope",
+                                                 "stretch_x", "stretch_y", "shear_x", "shear_y"};
   return names;
 }
 
@@ -99,15 +100,17 @@ void Configuration::set(const Setting& setting) {
   const auto index = static_cast<std::size_t>(found - names.begin());
   if (index < 6) {
     angle_[index] = value;
-  } else if (index == 6) {
-    a_ = value;
-  } else if (index == 7) {
-    slope_ = value;
   } else if (index < 10) {
+    half_[index - 6] = value;
+  } else if (index == 10) {
+    a_ = value;
+  } else if (index == 11) {
+    slope_ = value;
+  } else if (index < 14) {
     if (!(value > 0)) throw InputError("", "found " + format_number(value) + ", accepted: a number > 0");
-    stretch_[index - 8] = value;
+    stretch_[index - 12] = value;
   } else {
-    shear_[index - 10] = value;
+    shear_[index - 14] = value;
   }
 }
 
@@ -127,6 +130,24 @@ std::optional<Direction> Configuration::direction(std::size_t which) const {
   const auto& phi = angle_[2 * which + 1];
   if (!theta) return std::nullopt;
   return from_angles(*theta, phi.value_or(0));
+}
+
+std::optional<ViewerAndLight> Configuration::pair() const {
+  const auto first_of = [](const auto& angles, std::size_t count, std::size_t from) {
+    for (std::size_t k = 0; k < count; ++k)
+      if (angles[k]) return direction_variables()[from + k];
+    return std::string();
+  };
+  const std::string half = first_of(half_, half_.size(), 6);
+  if (half.empty()) return std::nullopt;
+  const std::string other = a_ ? "a" : first_of(angle_, 4, 0);
+  if (!other.empty())
+    throw InputError("", "found \"" + half + "\" beside \"" + other +
+                             "\"; accepted: the directions of viewer and light, or their half and difference angles");
+  if (!half_[0] || !half_[2])
+    throw InputError("", "found \"" + half + "\" without \"" + (half_[0] ? "theta_d" : "theta_h") +
+                             "\"; accepted: theta_h and theta_d together");
+  return pair_of({*half_[0], half_[1].value_or(0), *half_[2], half_[3].value_or(0)});
 }
 
 MaterialDescription Configuration::transformed(const Material& material) const {
@@ -159,6 +180,10 @@ Configuration::Surface Configuration::surface() const {
 
 Directions Configuration::directions(const Surface& surface) const {
   Directions out{direction(0), direction(1), direction(2)};
+  if (const auto both = pair()) {
+    out.o = both->o;
+    out.i = both->i;
+  }
   if (a_) {
     const double phi = angle_[1].value_or(0);
     const double alpha_o = surface.before.project(from_angles(std::acos(0.0), phi)).s;

@@ -4,6 +4,7 @@
 
 #include "figure/description.hpp"
 #include "figure/series/channel.hpp"
+#include "math/half_difference.hpp"
 
 #include <array>
 #include <functional>
@@ -60,6 +61,8 @@ public:
 private:
   void set_model(const std::string& variable, const std::string& type);
   std::optional<Direction> direction(std::size_t which) const;
+  /// Of half and difference angles, where they are set. \throws InputError beside other angles of viewer or light
+  std::optional<ViewerAndLight> pair() const;
   bool is_transformed() const { return stretch_ != Vec2{1, 1} || shear_ != Vec2{0, 0}; }
   /// The material after the transformations.
   MaterialDescription transformed(const Material& material) const;
@@ -67,6 +70,7 @@ private:
   MaterialDescription material_;
   std::optional<Channel> channel_;
   std::array<std::optional<double>, 6> angle_; ///< theta and phi of o, i, m
+  std::array<std::optional<double>, 4> half_;  ///< theta and phi of the half vector and of the difference
   std::optional<double> a_;
   std::optional<double> slope_;
   Vec2 stretch_{1, 1};

@@ -42,6 +42,8 @@ std::string defining_text(const MaterialDescription& material) {
     if (!plain)
       out += term.name + " " + term.type + " " + text_of(term.weight) + " " + text_of({"", term.values}) + " ";
     out += text_of(term.distribution) + " " + text_of(term.fresnel);
+    for (const LayerDescription& layer : term.layers)
+      out += " under " + layer.coat + " " + text_of(layer.weight) + text_of({"", layer.values});
   }
   return out;
 }

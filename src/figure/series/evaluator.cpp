@@ -33,7 +33,7 @@ std::vector<double> narrow_places(const std::string& variable, const Configurati
     for (const double phi : around(angle("phi_o"))) out.push_back(phi);
     return out;
   }
-  if (!variable.starts_with("theta_")) return {};
+  if (!variable.starts_with("theta_") || variable == "theta_d") return {};
   const double normal = std::atan(slope(angle(variable == "theta_i"   ? "phi_i"
                                               : variable == "theta_o" ? "phi_o"
                                                                       : "phi_m")));

@@ -6,19 +6,21 @@
 namespace brdfplot {
 
 ModelSpec PhongProfile::spec() {
-  ModelSpec spec{.type = "phong",
-                 .doc = "power of the cosine; its own masking exact, as of Student's t with gamma = n / 2 + 2",
-                 .source = "Walter et al. 2007, Eqs. 30-33; Heitz 2014, section 7; Ribardiere et al. 2017",
-                 .parameters = isotropic_roughness(
-                     {.min = 1e-6, .max = std::numbers::sqrt2, .open_max = true},
-                     "roughness of the Beckmann surface that is about as rough; n = 2 / alpha^2 - 2"),
-                 .alternatives = {{"exponent"}, {"alpha"}, {"roughness"}, {"gloss"}}};
+  ModelSpec spec{
+      .type = "phong",
+      .doc = "power of the cosine; its own masking exact, as of Student's t with gamma = n / 2 + 2",
+      .source = "Walter et al. 2007, Eqs. 30-33; Heitz 2014, section 7; Ribardiere et al. 2017",
+      .parameters =
+          isotropic_roughness({.min = 1e-6, .max = std::numbers::sqrt2, .open_max = true},
+                              "roughness of the Beckmann surface that is about as rough; n = 2 / alpha^2 - 2"),
+      .alternatives = {{"exponent"}, {"alpha"}, {"roughness"}, {"gloss"}, {"exponent", "mean_normal_length"}}};
   spec.parameters.insert(
       spec.parameters.begin(),
       {.key = "exponent", .bounds = {.min = -1, .max = 2e12, .open_min = true}, .doc = "n of cos^n theta_m"});
   spec.parameters.push_back({.key = "gloss",
                              .bounds = {.min = 0, .max = 1},
                              .doc = "s of n = 8192^s (Akenine-Moller et al. 2018, section 9.8.1: n = m^s)"});
+  spec.parameters.push_back(mean_normal_length());
   return spec;
 }
 
@@ -32,7 +34,8 @@ double lobe(double exponent, double power, double r2) {
 
 PhongProfile PhongProfile::from(const Values& values) {
   if (values.has("exponent") || values.has("gloss")) {
-    const double exponent = values.has("gloss") ? std::exp2(13 * values.number("gloss")) : values.number("exponent");
+    double exponent = values.has("gloss") ? std::exp2(13 * values.number("gloss")) : values.number("exponent");
+    if (values.has("mean_normal_length")) exponent = toksvig_exponent(exponent, values.number("mean_normal_length"));
     return {exponent, std::sqrt(2 / (exponent + 2)), StudentTShape::of_excess(0.5 * (exponent + 1))};
   }
   const double alpha = alpha_from(values);
