@@ -151,7 +151,7 @@ TEST_CASE("tables of albedo: between the nodes within the error that they state,
                                         describe("beckmann", 0.5, "v_cavity"),
                                         describe("ggx", 1)};
   terms.back().weight = 0.5;
-  for (const TermDescription& term : sample_of(terms, 2)) {
+  for (const TermDescription& term : sample_of(terms, terms.size())) {
     const AlbedoTable table = TermAlbedo(term).table();
     const WeightedTerm built = build_term(term);
     CHECK(table.error() < (built.is_isotropic() ? 1e-7 : 1e-6));
