@@ -10,9 +10,6 @@ namespace brdfplot {
 
 namespace {
 
-/// Longer paths than these are cut in errors.
-constexpr std::size_t shown_path = 300;
-
 /// Opening a pipe would wait for who writes to it.
 const std::string& require_regular(const std::string& path) {
   std::error_code error;

@@ -16,6 +16,9 @@ std::string cut(std::string_view text, std::size_t most = 60);
 /// none of them.
 std::string one_line(std::string_view text);
 
+/// Longer paths than these are cut in errors.
+inline constexpr std::size_t shown_path = 300;
+
 /// A text as an error shows it: cut, on one line.
 std::string echo(std::string_view text, std::size_t most = 60);
 

@@ -26,9 +26,6 @@ constexpr int patience_ms = 100;
 /// What a pipe that is ready to be written takes at least, without waiting (PIPE_BUF of Linux).
 constexpr std::size_t pipe_chunk = 4096;
 
-/// Longer paths than these are cut in errors.
-constexpr std::size_t shown_path = 300;
-
 std::string reason(int error) { return std::generic_category().message(error); }
 
 bool is_regular(int fd) {

@@ -10,12 +10,11 @@ namespace brdfplot {
 namespace {
 
 constexpr std::size_t block_size = 256;
-using Buffer = std::array<float, block_size>;
-using kernels::Distribution;
+using FloatBlock = std::array<float, block_size>;
 
 /// Vectors of a block, rounded to float.
 struct Rounded {
-  Buffer x, y, z;
+  FloatBlock x, y, z;
 
   Rounded(const Columns& columns, std::size_t first, std::size_t n) {
     for (std::size_t k = 0; columns && k < n; ++k) {
@@ -30,14 +29,14 @@ struct Rounded {
 /// What the float kernels of one quantity are called with.
 struct Call {
   kernels::Stretch stretch;
-  Distribution distribution;
+  kernels::Distribution distribution;
   kernels::Shadowing shadowing;
 };
 
 /// The call that computes `quantity`, where there are float kernels for it: for Beckmann and GGX, of lambda and g1 with
 /// Smith masking, of d, and of the BRDF with F = 1 and a form of shadowing that has a kernel.
 std::optional<Call> call_for(const Microsurface& surface, bool whole_brdf, Quantity quantity, const Batch& batch) {
-  const auto call = [&](std::optional<Distribution> distribution) -> std::optional<Call> {
+  const auto call = [&](std::optional<kernels::Distribution> distribution) -> std::optional<Call> {
     if (!distribution) return std::nullopt;
     return Call{surface.slopes().stretch(), *distribution, kernels::Shadowing::none};
   };
@@ -59,8 +58,8 @@ std::optional<Call> call_for(const Microsurface& surface, bool whole_brdf, Quant
 
 void mask(const Call& call, Quantity quantity, const Rounded& o, const Rounded& m, bool has_m, std::size_t n,
           float* out) {
-  const bool beckmann = call.distribution == Distribution::beckmann;
-  Buffer c, s;
+  const bool beckmann = call.distribution == kernels::Distribution::beckmann;
+  FloatBlock c, s;
   kernels::project(call.stretch, o.view(), c.data(), s.data(), n);
   if (quantity == Quantity::lambda)
     return beckmann ? kernels::lambda_beckmann(c.data(), s.data(), out, n)
@@ -81,15 +80,15 @@ void run(const Call& call, Quantity quantity, const Batch& batch, std::size_t fi
   case Quantity::g1: return mask(call, quantity, o, m, bool(batch.m), n, out);
   case Quantity::d:
   case Quantity::d_cos:
-    call.distribution == Distribution::beckmann ? kernels::d_beckmann(call.stretch, m.view(), out, n)
-                                                : kernels::d_ggx(call.stretch, m.view(), out, n);
+    call.distribution == kernels::Distribution::beckmann ? kernels::d_beckmann(call.stretch, m.view(), out, n)
+                                                         : kernels::d_ggx(call.stretch, m.view(), out, n);
     if (quantity == Quantity::d_cos)
       for (std::size_t k = 0; k < n; ++k) out[k] *= m.z[k];
     return;
   default: kernels::brdf(call.stretch, call.distribution, call.shadowing, o.view(), i.view(), out, n);
   }
   if (quantity != Quantity::brdf_cos) return;
-  Buffer c, s;
+  FloatBlock c, s;
   kernels::project(call.stretch, i.view(), c.data(), s.data(), n);
   for (std::size_t k = 0; k < n; ++k) out[k] *= std::max(0.0F, c[k]);
 }

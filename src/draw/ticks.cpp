@@ -52,9 +52,9 @@ int decimals_of(double step) {
 
 Ticks decimal_ticks(const Range& range, int most) {
   const double step = decimal_step(range, most);
-  const double largest = std::max(std::abs(range.from), std::abs(range.to));
-  const bool plain = largest < 1e5 && largest >= 1e-2;
-  const int exponent = static_cast<int>(std::floor(std::log10(largest) + 1e-9));
+  const double magnitude = std::max(std::abs(range.from), std::abs(range.to));
+  const bool plain = magnitude < 1e5 && magnitude >= 1e-2;
+  const int exponent = static_cast<int>(std::floor(std::log10(magnitude) + 1e-9));
   const int decimals = decimals_of(plain ? step : step / std::pow(10.0, exponent));
   Ticks ticks;
   for (const double value : multiples(step, range)) {
@@ -65,14 +65,14 @@ Ticks decimal_ticks(const Range& range, int most) {
 
 Ticks degree_ticks(const Range& range, int most) {
   constexpr std::array<double, 8> steps = {1, 2, 5, 10, 15, 30, 45, 90};
-  const double degree = pi / 180;
-  const Range degrees{range.from / degree, range.to / degree};
+  const double unit = pi / 180;
+  const Range degrees{range.from / unit, range.to / unit};
   const auto found = std::find_if(steps.begin(), steps.end(), [&](double s) { return fits(s, degrees, most); });
   const bool small = fits(0.5, degrees, most); // less than a degree apart: decimals
   const double step = small ? decimal_step(degrees, most) : found == steps.end() ? 180.0 : *found;
   Ticks ticks;
   for (const double value : multiples(step, degrees)) {
-    ticks.major.push_back({value * degree, decimal_label(value, decimals_of(step)) + "°"});
+    ticks.major.push_back({value * unit, decimal_label(value, decimals_of(step)) + "°"});
   }
   return ticks;
 }

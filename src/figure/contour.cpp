@@ -17,7 +17,7 @@ struct Edge {
   auto operator<=>(const Edge&) const = default;
 };
 
-using Segment = std::array<Edge, 2>;
+using CellSegment = std::array<Edge, 2>;
 
 class Lattice {
 public:
@@ -32,8 +32,8 @@ public:
     above_ = above(at_x, at_y);
   }
 
-  std::vector<Segment> segments() const {
-    std::vector<Segment> out;
+  std::vector<CellSegment> segments() const {
+    std::vector<CellSegment> out;
     for (std::size_t row = 0; row + 1 < y_.size(); ++row)
       for (std::size_t column = 0; column + 1 < x_.size(); ++column) add_cell(column, row, out);
     return out;
@@ -73,7 +73,7 @@ private:
     return out;
   }
 
-  void add_cell(std::size_t column, std::size_t row, std::vector<Segment>& out) const {
+  void add_cell(std::size_t column, std::size_t row, std::vector<CellSegment>& out) const {
     const auto at = [&](std::size_t c, std::size_t r) { return above_[(row + r) * x_.size() + column + c]; };
     const Edge bottom{column, row, false}, top{column, row + 1, false}, left{column, row, true},
         right{column + 1, row, true};
@@ -93,14 +93,14 @@ private:
 };
 
 /// Takes from `segments` those that lead on from `edge`, in order.
-std::vector<Edge> follow(Edge edge, std::multimap<Edge, std::size_t>& ends, const std::vector<Segment>& segments,
+std::vector<Edge> follow(Edge edge, std::multimap<Edge, std::size_t>& ends, const std::vector<CellSegment>& segments,
                          std::vector<bool>& used) {
   std::vector<Edge> chain;
   for (;;) {
     const auto [first, last] = ends.equal_range(edge);
     const auto next = std::find_if(first, last, [&](const auto& entry) { return !used[entry.second]; });
     if (next == last) return chain;
-    const Segment& segment = segments[next->second];
+    const CellSegment& segment = segments[next->second];
     used[next->second] = true;
     edge = segment[0] == edge ? segment[1] : segment[0];
     chain.push_back(edge);
@@ -112,7 +112,7 @@ std::vector<Edge> follow(Edge edge, std::multimap<Edge, std::size_t>& ends, cons
 std::vector<Contour::Line> level_lines(const PlaneFunction& value, double level, const std::vector<double>& x,
                                        const std::vector<double>& y) {
   const Lattice lattice(value, level, x, y);
-  const std::vector<Segment> segments = lattice.segments();
+  const std::vector<CellSegment> segments = lattice.segments();
   std::multimap<Edge, std::size_t> ends;
   for (std::size_t k = 0; k < segments.size(); ++k)
     for (const Edge& edge : segments[k]) ends.emplace(edge, k);

@@ -250,9 +250,9 @@ private:
 std::vector<double> first_points(const CurveRequest& request) {
   const CurveFunction none;
   const Sampler sampler(none, request);
-  std::vector<double> points = sampler.first();
-  for (double& point : points) point = sampler.from_axis(point);
-  return points;
+  std::vector<double> first = sampler.first();
+  for (double& point : first) point = sampler.from_axis(point);
+  return first;
 }
 
 Curve sample(const CurveFunction& y, const CurveRequest& request) {

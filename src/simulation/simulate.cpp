@@ -81,7 +81,7 @@ struct Gathered {
 };
 
 /// One direction on one tile.
-struct Piece {
+struct TileTask {
   std::size_t measure, task, tile;
 };
 
@@ -164,7 +164,7 @@ private:
     const auto traced = make(surface_, scene_.seed, realisation);
     add_statistics(realisation, *traced);
     // Tile by tile: interrupted, all directions have seen the same part of the surface.
-    std::vector<Piece> pieces;
+    std::vector<TileTask> pieces;
     for (std::size_t tile = 0; tile < traced->tiles.size(); ++tile)
       for (std::size_t m = 0; m < gathered_.size(); ++m)
         for (std::size_t task = 0; task < gathered_[m].tallies.size(); ++task) pieces.push_back({m, task, tile});
@@ -179,7 +179,7 @@ private:
       for (Tally& tally : one.tallies) tally.end_realisation();
   }
 
-  void trace(const Piece& piece, const Traced& traced, std::uint64_t realisation) {
+  void trace(const TileTask& piece, const Traced& traced, std::uint64_t realisation) {
     Gathered& one = gathered_[piece.measure];
     const Tile& tile = traced.tiles[piece.tile];
     const double count = one.rays / (2.0 * scene_.realisations * static_cast<double>(traced.tiles.size()));

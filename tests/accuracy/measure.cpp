@@ -1,5 +1,7 @@
 #include "accuracy/measure.hpp"
 
+#include "../sample.hpp"
+
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -9,10 +11,7 @@
 
 namespace brdfplot::accuracy {
 
-std::size_t inputs_per_row() {
-  const char* const request = std::getenv("BRDFPLOT_ACCURACY_INPUTS");
-  return request == nullptr ? 20000 : std::stoul(request);
-}
+std::size_t inputs_per_row() { return test::random_inputs("BRDFPLOT_ACCURACY_INPUTS", 8000, 500); }
 
 std::string text(double x) {
   char buffer[32];

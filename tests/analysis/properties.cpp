@@ -1,5 +1,6 @@
 #include "analysis/properties.hpp"
 #include "../materials.hpp"
+#include "../sample.hpp"
 #include "analysis/property_tests.hpp"
 
 #include <doctest/doctest.h>
@@ -83,12 +84,13 @@ TEST_CASE("each property is told from the others") {
                                    {Property::reciprocity, shadowed(ggx, "none")},
                                    {Property::energy, with_formula(ggx, "g1", "min(1, 4 * cos_theta)")},
                                    {Property::eq37, with_formula(ggx, "g1", "1")}};
+  const PropertySearch search{sample_of<double>({1.5, 1.2, 0.3}, 3), 1e-6};
   for (const auto& one : cases) {
     const auto& property = one.property; // Clang 14 has no structured binding in the lambda of INFO
     const auto& bad = one.bad;
     INFO(properties()[static_cast<std::size_t>(property)].name << ", " << bad.masking.type);
-    CHECK(verdict(property, ggx) == Verdict::holds);
-    CHECK(verdict(property, bad) == Verdict::fails);
+    CHECK(verdict(property, ggx, search) == Verdict::holds);
+    CHECK(verdict(property, bad, search) == Verdict::fails);
   }
   // Kelemen's masking is above 1 where the facet is tilted from the viewer (Heitz 2014, Eq. 59 as printed).
   CHECK(verdict(Property::g1_range, describe("ggx", 0.5, "kelemen")) == Verdict::fails);

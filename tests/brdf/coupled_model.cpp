@@ -1,6 +1,7 @@
 // The coupled model of Kelemen and Szirmay-Kalos (2001), and light of further bounces: closed forms against the
 // equations as they are printed, with 50 digits; tables against the integrals that they stand for.
 #include "../materials.hpp"
+#include "../sample.hpp"
 #include "analysis/integrals.hpp"
 #include "brdf/evaluate_single.hpp"
 #include "brdf/reflected_light.hpp"
@@ -10,7 +11,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <cstdlib>
 #include <random>
 
 using namespace test;
@@ -61,12 +61,6 @@ Real printed(const std::string& distribution, const Real& alpha, bool with_cosin
   const Real d = distribution == "beckmann" ? Real(exp(-t2 / a2) / (pi * a2 * c2 * c2))
                                             : Real(1 / (pi * a2 * c2 * c2 * (1 + t2 / a2) * (1 + t2 / a2)));
   return d * (with_cosine ? Real(sqrt(c2)) : Real(1)) / length2; // |o + i|^2 = 2 (1 + o.i)
-}
-
-/// How many random tables are made, each for 20 angles. Sanitizers make them ten times slower.
-int random_tables() {
-  const char* asked = std::getenv("BRDFPLOT_RANDOM_TABLES");
-  return asked != nullptr ? std::atoi(asked) : 25;
 }
 
 double mean_albedo(const TermDescription& term) { return TermAlbedo(term).table().mean(0); }
@@ -139,8 +133,8 @@ TEST_CASE("kelemen: P is D cos, D over its integral, or D, and the first two int
 }
 
 TEST_CASE("kelemen: mean albedos of the three densities are those computed elsewhere") {
-  const std::array<std::array<double, 4>, 2> known = {{{0.4, 0.790, 0.735, 0.745}, {0.8, 0.569, 0.452, 0.490}}};
-  for (const auto& [alpha, d, normalised, projected] : known) {
+  const std::vector<std::array<double, 4>> known = {{0.4, 0.790, 0.735, 0.745}, {0.8, 0.569, 0.452, 0.490}};
+  for (const auto& [alpha, d, normalised, projected] : sample_of(known, 2)) {
     CHECK(std::fabs(mean_albedo(kelemen("beckmann", alpha, "d")) - d) < 5.1e-4);
     CHECK(std::fabs(mean_albedo(kelemen("beckmann", alpha, "normalised")) - normalised) < 5.1e-4);
     CHECK(std::fabs(mean_albedo(kelemen("beckmann", alpha)) - projected) < 5.1e-4);
@@ -150,16 +144,18 @@ TEST_CASE("kelemen: mean albedos of the three densities are those computed elsew
 TEST_CASE("tables of albedo: between the nodes within the error that they state, which is small") {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<TermDescription> terms = {kelemen("beckmann", 0.3), describe("ggx", 0.02), describe("ggx", 1),
+  std::vector<TermDescription> terms = {kelemen("beckmann", 0.3),
+                                        describe("ggx", 0.02),
+                                        general("ggx", 0.3, 0.6, 0),
+                                        with_fresnel(describe("ggx", 0.3), "dielectric", {{"eta", 1.5}}),
                                         describe("beckmann", 0.5, "v_cavity"),
-                                        with_fresnel(describe("ggx", 0.3), "dielectric", {{"eta", 1.5}})};
-  terms[2].weight = 0.5;
-  terms.push_back(general("ggx", 0.3, 0.6, 0));
-  for (const TermDescription& term : terms) {
+                                        describe("ggx", 1)};
+  terms.back().weight = 0.5;
+  for (const TermDescription& term : sample_of(terms, terms.size())) {
     const AlbedoTable table = TermAlbedo(term).table();
     const WeightedTerm built = build_term(term);
     CHECK(table.error() < (built.is_isotropic() ? 1e-7 : 1e-6));
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < inputs(40, 4); ++k) {
       const double mu = k % 2 == 0 ? uniform(random) : std::pow(10.0, -8 * uniform(random));
       const Direction o = at(mu, 7 * uniform(random));
       const ColourEstimate truth = reflected_light({&built}, o, 1e-10, {0, 1}, every_direction);
@@ -176,18 +172,18 @@ TEST_CASE("complement: with color 1 and F = 1 nothing is lost, whatever the angl
   const std::array<std::string, 3> densities = {"projected", "normalised", "d"};
   const std::array<std::string, 3> distributions = {"beckmann", "ggx", "ward"};
   double worst = 0;
-  for (int one = 0; one < random_tables(); ++one) {
+  const std::size_t tables = random_inputs("BRDFPLOT_RANDOM_TABLES", 25, 2);
+  for (std::size_t one = 0; one < tables; ++one) {
     const double alpha = 0.05 + 0.95 * uniform(random);
-    const auto specular =
-        kelemen(distributions[static_cast<std::size_t>(one % 2)], alpha, densities[static_cast<std::size_t>(one % 3)]);
+    const auto specular = kelemen(distributions[one % 2], alpha, densities[one % 3]);
     const Material m = build(sum(specular, of("complement", specular)));
-    for (int k = 0; k < 20; ++k) {
+    for (int k = 0; k < inputs(20, 4); ++k) {
       const Direction o = at(k == 0 ? 1e-4 : uniform(random), 6 * uniform(random));
       const Estimate e = compute(Integral::albedo, m, o, 1e-7);
       worst = std::max(worst, std::fabs(e.value - 1));
     }
   }
-  MESSAGE("largest difference from 1 of 500 albedos: " << worst);
+  MESSAGE("largest difference from 1: " << worst);
   CHECK(worst <= 1e-6);
 }
 
@@ -198,7 +194,7 @@ TEST_CASE("complement: the sum reflects E + color (1 - E), for each channel") {
   const Rgb color = {1, 0.5, 0};
   matte.values.set("color", color);
   const Material m = build(sum(gold, matte)), alone = build(gold);
-  for (const double mu : {1.0, 0.7, 0.2, 0.01}) {
+  for (const double mu : sample_of<double>({1.0, 0.7, 0.2, 0.01}, 3)) {
     const ColourEstimate whole = compute_channels(Integral::albedo, m, at(mu), 1e-8);
     const ColourEstimate specular = compute_channels(Integral::albedo, alone, at(mu), 1e-9);
     for (std::size_t c = 0; c < 3; ++c)
@@ -224,22 +220,20 @@ TEST_CASE("complement: named beside it or written within it, one value; of a mir
 
 TEST_CASE("multiple_bounce: with F = 1 all light comes back, at every roughness and angle, for every microsurface") {
   double worst = 0;
-  int count = 0;
   for (const std::string masking : {"smith", "v_cavity"})
-    for (const double alpha : {0.6, 0.01, 0.1, 0.3, 1.0})
-      for (const std::string type : {"ggx", "beckmann"}) {
-        if (++count > random_tables()) break;
+    for (const double alpha : sample_of<double>({0.6, 0.01, 0.1, 0.3, 1.0}, 5))
+      for (const std::string& type : sample_of<std::string>({"ggx", "beckmann"}, 2)) {
         const TermDescription mirror = describe(type, alpha, masking);
         const Material m = build(sum(mirror, of("multiple_bounce", mirror)));
-        for (const double mu : {1.0, 0.9, 0.6, 0.3, 0.1, 0.01}) {
+        for (const double mu : sample_of<double>({1.0, 0.9, 0.6, 0.3, 0.1, 0.01}, 5)) {
           const Estimate e = compute(Integral::albedo, m, at(mu), 1e-8);
           worst = std::max(worst, std::fabs(e.value - 1));
         }
       }
   const TermDescription brushed = general("ggx", 0.3, 0.6, 0);
   const Material m = build(sum(brushed, of("multiple_bounce", brushed)));
-  for (const double phi : {0.0, 0.4, 1.5, 2.5})
-    for (const double mu : {1.0, 0.5, 0.1})
+  for (const double phi : sample_of<double>({0.0, 0.4, 1.5, 2.5}, 3))
+    for (const double mu : sample_of<double>({1.0, 0.5, 0.1}, 2))
       worst = std::max(worst, std::fabs(compute(Integral::albedo, m, at(mu, phi), 1e-8).value - 1));
   MESSAGE("largest difference from 1: " << worst);
   CHECK(worst <= 1e-6);

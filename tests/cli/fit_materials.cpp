@@ -127,7 +127,7 @@ void check_row(const Material& material, const std::string& code, const std::vec
 } // namespace
 
 TEST_CASE("the code of a material gives its G1, Lambda and G2 at every azimuth, as far off as it says") {
-  for (const Case& c : some_when_sanitized(cases())) {
+  for (const Case& c : sample_of(cases(), 3)) {
     INFO(c.material);
     const Folder folder;
     const bool own = c.material.starts_with("{");
@@ -225,10 +225,11 @@ TEST_CASE("what the code of a fit cannot do is refused, by file and place") {
 
 TEST_CASE("--fixed fits every value of a parameter, as far off as it says") {
   const Folder folder;
-  for (const char* distribution : some_when_sanitized<const char*>(
-           {R"({"type": "student_t", "alpha": 0.5, "gamma": 1.6})",
-            R"({"type": "gtr", "alpha": 0.03125, "gamma": 1.5})", R"({"type": "gtr", "alpha": 4, "gamma": 1.5})",
-            R"({"type": "phong", "exponent": -0.5})"})) {
+  for (const char* distribution : sample_of<const char*>({R"({"type": "student_t", "alpha": 0.5, "gamma": 1.6})",
+                                                          R"({"type": "gtr", "alpha": 0.03125, "gamma": 1.5})",
+                                                          R"({"type": "gtr", "alpha": 4, "gamma": 1.5})",
+                                                          R"({"type": "phong", "exponent": -0.5})"},
+                                                         3)) {
     INFO(distribution);
     folder.write("own.json", R"({"name": "own", "distribution": )" + std::string(distribution) + "}");
     check_output(folder, "brdfplot fit own.json --fixed -o out");

@@ -2,6 +2,8 @@
 /// Runs the real brdfplot, by the shell, in a folder of its own.
 #pragma once
 
+#include "../sample.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -31,15 +33,6 @@ constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
-
-/// All of `cases`, or under sanitizers, which look for other faults than wrong numbers, each third.
-template <class Case>
-std::vector<Case> some_when_sanitized(std::vector<Case> cases) {
-  std::vector<Case> kept;
-  for (std::size_t k = 0; k < cases.size(); ++k)
-    if (!sanitized || k % 3 == 0) kept.push_back(cases[k]);
-  return kept;
-}
 
 inline std::string read_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

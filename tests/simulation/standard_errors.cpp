@@ -2,6 +2,7 @@
 /// Whether the spread of a result over seeds is what its standard error says.
 #include "simulation/scenes.hpp"
 
+#include "../sample.hpp"
 #include "base/random.hpp"
 #include "config/temp_files.hpp"
 #include "simulation/walk.hpp"
@@ -9,7 +10,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,11 +18,8 @@ using namespace test;
 
 namespace {
 
-/// More seeds tell more exactly: BRDFPLOT_SEEDS=400.
-std::uint64_t seeds() {
-  const char* asked = std::getenv("BRDFPLOT_SEEDS");
-  return asked ? std::stoull(asked) : 40;
-}
+/// More seeds tell more exactly: BRDFPLOT_SEEDS=400. A sampled run only walks through: its two tell nothing.
+std::uint64_t seeds() { return random_inputs("BRDFPLOT_SEEDS", 40, 2); }
 
 /// Runs of one quantity.
 struct Runs {
@@ -82,7 +79,7 @@ void check_within(const ByName& all, const std::string& of) {
   for (const auto& [name, quantities] : all) {
     const double ratio = quantities.spread_over_stated();
     const std::string about = of + ", " + name;
-    CHECK_MESSAGE(std::fabs(ratio - 1) < 0.15, about << ": spread over stated error " << ratio);
+    if (!sampled()) CHECK_MESSAGE(std::fabs(ratio - 1) < 0.15, about << ": spread over stated error " << ratio);
   }
 }
 

@@ -8,7 +8,7 @@ namespace brdfplot::plot {
 
 namespace {
 
-constexpr double font = 13;
+constexpr double font_size = 13;
 constexpr double sample_width = 34;
 constexpr double sample_gap = 7;
 constexpr double entry_gap = 20;
@@ -142,7 +142,7 @@ LegendLayout lay_out_legend(const std::vector<LegendEntry>& entries, double widt
   double widest = 0;
   double total = 0;
   for (const auto& entry : entries) {
-    auto text = fit_text(entry.label, font, width - sample_width - sample_gap, 1);
+    auto text = fit_text(entry.label, font_size, width - sample_width - sample_gap, 1);
     const double full = sample_width + sample_gap + text.width() + entry_gap;
     widest = std::max(widest, full);
     total += full;

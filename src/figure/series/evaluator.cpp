@@ -13,7 +13,7 @@ namespace {
 
 using simulation::Measured;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Where a term over `variable` may have something narrow: the normal of the mesosurface, the direction that it mirrors
 /// the other one to, the other direction itself.

@@ -16,7 +16,7 @@ using simulation::MeasureDescription;
 using simulation::SceneDescription;
 using simulation::Table;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What of the tables of measures is shown: type of the measure, column of the quantity.
 struct Shown {

@@ -13,7 +13,7 @@ namespace brdfplot {
 namespace {
 
 /// int_0^(pi/2) exp(-(theta / sigma)^2 / 2) sin(theta) dtheta, to rounding.
-double integral(double sigma) {
+double angle_integral(double sigma) {
   constexpr double quarter = 0.5 * std::numbers::pi;
   const std::array<double, 3> cuts = {0, std::min(3 * sigma, quarter), std::min(10 * sigma, quarter)}; // e^-50
   const auto integrand = [&](const double* theta, double* y, std::size_t n) {
@@ -44,7 +44,7 @@ ModelSpec OrenNayarProfile::spec() {
 OrenNayarProfile OrenNayarProfile::from(const Values& values) {
   const double sigma = values.number("sigma");
   return remembered<OrenNayarProfile>(format_number(sigma), [=] {
-    return OrenNayarProfile{sigma, 0.5 * std::numbers::inv_pi / integral(sigma)};
+    return OrenNayarProfile{sigma, 0.5 * std::numbers::inv_pi / angle_integral(sigma)};
   });
 }
 

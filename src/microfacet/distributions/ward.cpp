@@ -28,7 +28,7 @@ ModelSpec WardProfile::spec() {
 
 namespace {
 
-double log_slope_density(double log_peak, double alpha, double r2) {
+double log_ward_slope_density(double log_peak, double alpha, double r2) {
   return log_peak - r2 / (alpha * alpha) - 0.5 * std::log1p(r2);
 }
 
@@ -40,12 +40,12 @@ WardProfile WardProfile::from(const Values& values) {
   const double alpha2 = alpha * alpha;
   return remembered<WardProfile>(format_number(alpha), [=] {
     return WardProfile{alpha, log_peak, ALambdaTable([=](double t2) {
-                         return log_slope_density(log_peak, alpha, alpha2 * t2) + std::log(alpha2);
+                         return log_ward_slope_density(log_peak, alpha, alpha2 * t2) + std::log(alpha2);
                        })};
   });
 }
 
-double WardProfile::p22(double r2) const { return std::exp(log_slope_density(log_peak, alpha, r2)); }
+double WardProfile::p22(double r2) const { return std::exp(log_ward_slope_density(log_peak, alpha, r2)); }
 
 double WardProfile::density(double sin2, double z) const {
   const double numerator = std::exp(log_peak - sin2 / (z * z) / (alpha * alpha));
