@@ -233,8 +233,8 @@ const std::vector<IntegralInfo>& integrals() {
       {Integral::brdf_peak_theta_i, "brdf_peak_theta_i", "angle of the largest rho in the plane of incidence, rad",
        true},
       {Integral::mean_fresnel, "mean_fresnel", "mean of F over the visible normals, Eq. 105", true},
-      {Integral::average_fresnel, "average_fresnel", "mean of F under light from everywhere, RTR4, Eqs. 9.58-9.60",
-       true},
+      {Integral::average_fresnel, "average_fresnel",
+       "mean of F under light from everywhere [Akenine-Moller et al. 2018, Eqs. 9.58-9.60]", true},
   };
   return all;
 }

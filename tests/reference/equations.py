@@ -62,7 +62,7 @@ def page(listing):
     for kind, key, doc in entries(listing):
         found = re.search(r"\[([^\]]*[0-9]{4}[^\]]*)\]", doc)
         source = found[1] if found else ""
-        if kind == "quantity":  # Heitz's, in the text itself
+        if kind == "quantity" and not found:  # Heitz's, in the text itself
             source = "; ".join("Heitz 2014, " + e for e in re.findall(r"Eqs?\. [0-9][0-9, -]*", doc))
         for text, label, order in equations(source):
             what = re.sub(r";? (needs omega|takes ).*", "", doc[:found.start()] if found else doc).strip(" ;")
