@@ -10,7 +10,7 @@ namespace brdfplot {
 namespace {
 
 constexpr std::size_t nodes = PiecewiseDensity::nodes;
-using Values = std::array<double, nodes>;
+using Curve = std::array<double, nodes>;
 using Polynomials = std::array<double, nodes + 1>; ///< P_0 ... P_8 at a point
 
 Polynomials legendre(double t) {
@@ -24,8 +24,8 @@ Polynomials legendre(double t) {
 
 /// Gauss's rule on [-1, 1], and the coefficients of Legendre polynomials that values at its nodes give.
 struct Rule {
-  Values abscissa{}, weight{};
-  std::array<Values, nodes> coefficient{}; ///< of P_k, the factor of value j
+  Curve abscissa{}, weight{};
+  std::array<Curve, nodes> coefficient{}; ///< of P_k, the factor of value j
 
   Rule() {
     using Gauss = boost::math::quadrature::gauss<double, nodes>;
@@ -54,7 +54,7 @@ double scaled_value(const PiecewiseDensity::Piece& piece, std::size_t k) {
 }
 
 /// Where in t the integral of sum c_k P_k(t) / 2 from -1 is `wanted`.
-double solved(const Values& c, double wanted) {
+double solved(const Curve& c, double wanted) {
   double low = -1, high = 1, t = std::clamp(2 * wanted / c[0] - 1, -1.0, 1.0);
   for (int step = 0; step < 64; ++step) {
     const Polynomials p = legendre(t);
@@ -96,7 +96,7 @@ double PiecewiseDensity::inverse(double u) const {
   const auto end = std::ranges::upper_bound(ends_, wanted);
   const auto index = static_cast<std::size_t>(std::min(end, ends_.end() - 1) - ends_.begin());
   const Piece& piece = pieces_[index];
-  Values c{};
+  Curve c{};
   for (std::size_t j = 0; j < nodes; ++j) {
     const double value = scaled_value(piece, j);
     for (std::size_t k = 0; k < nodes; ++k) c[k] += rule().coefficient[k][j] * value;

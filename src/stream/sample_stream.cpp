@@ -18,7 +18,7 @@ namespace {
 
 /// Samples are drawn by so many, and so much text is read at once.
 constexpr std::size_t piece_size = 2048;
-constexpr std::size_t block_size = std::size_t{16} << 10;
+constexpr std::size_t sample_block_size = std::size_t{16} << 10;
 /// Pieces in memory, for each thread: enough that all end at about the same time.
 constexpr std::size_t pieces_a_thread = 8;
 
@@ -154,7 +154,7 @@ void add_rows(const RowBlock& block, const DirectionColumns& columns, const std:
 
 void sample_stream(const Material& material, const Sampler& sampler, const SampleOptions& options, InputFile& in,
                    OutputFile& out) {
-  RowReader reader(in, block_size);
+  RowReader reader(in, sample_block_size);
   const std::string header = reader.header();
   const std::string where = in.name() + ":" + std::to_string(reader.header_line());
   if (header.empty())
