@@ -15,18 +15,19 @@ std::string scene(const std::string& surface, const std::string& measures) {
   return R"({"surface": {)" + surface + R"(}, "measures": [)" + measures + "]}";
 }
 
-constexpr const char* gaussian = R"("type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4)";
+constexpr const char* gaussian_surface = R"("type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4)";
 
 } // namespace
 
 TEST_CASE("a scene") {
   const TempFolder folder;
-  const auto path = folder.write("rough.json", scene(gaussian, R"({"type": "g1", "theta_o": "60deg"},
+  const auto path = folder.write("rough.json", scene(gaussian_surface, R"({"type": "g1", "theta_o": "60deg"},
     {"type": "g2", "id": "pairs", "theta_o": [1, "90deg"], "theta_i": 0.5, "delta_phi": ["180deg"], "rays": 500})"));
   // An angle of 90 degrees is caught: the viewer would see no area.
   CHECK(contains(error_of(folder, 2, [&] { config::load_scene(path); }),
                  "rough.json: /measures/1/theta_o/1: found 1.57"));
-  const auto good = config::load_scene(folder.write("good.json", scene(gaussian, R"({"type": "g1", "theta_o": "60deg"},
+  const auto good =
+      config::load_scene(folder.write("good.json", scene(gaussian_surface, R"({"type": "g1", "theta_o": "60deg"},
     {"type": "g2", "id": "pairs", "theta_o": [1], "theta_i": 0.5, "delta_phi": ["180deg"], "rays": 500})")));
   CHECK(good.name == "good");
   CHECK(good.seed == 1);
@@ -54,9 +55,10 @@ TEST_CASE("what is wrong with a scene, and where") {
   CHECK(contains(error(R"("type": "gaussian", "alpha": 0.5, "samples": 32)", g1),
                  "/surface/correlation_length: found 16"));
   CHECK(contains(error(R"("type": "gaussian", "alhpa": 0.5)", g1), "did you mean \"alpha\"?"));
-  CHECK(contains(error(gaussian, g1 + "," + g1), "/measures/1/id: the id \"g1\" stands twice"));
-  CHECK(contains(error(gaussian, R"({"type": "g1", "id": "surface", "theta_o": 1})"), "/measures/0/id"));
-  CHECK(contains(error(gaussian, R"({"type": "g4", "theta_o": 1})"), "unknown type \"g4\"; did you mean \"g1\"?"));
+  CHECK(contains(error(gaussian_surface, g1 + "," + g1), "/measures/1/id: the id \"g1\" stands twice"));
+  CHECK(contains(error(gaussian_surface, R"({"type": "g1", "id": "surface", "theta_o": 1})"), "/measures/0/id"));
+  CHECK(contains(error(gaussian_surface, R"({"type": "g4", "theta_o": 1})"),
+                 "unknown type \"g4\"; did you mean \"g1\"?"));
 }
 
 TEST_CASE("the path of a height map is relative to its file") {
