@@ -160,11 +160,14 @@ TEST_CASE("materials: numbers out of bounds") {
 
 TEST_CASE("materials: exactly one of the alternatives, whole") {
   const std::string accepted = "accepted: either alpha, or alpha_x with alpha_y, or roughness, or roughness with "
-                               "disney_anisotropy, or roughness with imageworks_anisotropy";
+                               "disney_anisotropy, or roughness with imageworks_anisotropy, or roughness with "
+                               "roughness_convention, or alpha with mean_normal_length";
   check_all({
       {ggx(""),
        "/distribution",
-       {"found none of alpha, alpha_x, alpha_y, roughness, disney_anisotropy, imageworks_anisotropy; " + accepted}},
+       {"found none of alpha, alpha_x, alpha_y, roughness, disney_anisotropy, imageworks_anisotropy, "
+        "roughness_convention, mean_normal_length; " +
+        accepted}},
       {ggx(R"(, "alpha_x": 1)"), "/distribution", {"found alpha_x alone; " + accepted}},
       {ggx(R"(, "alpha": 1, "alpha_x": 1)"), "/distribution", {"found alpha with alpha_x; " + accepted}},
       {ggx(R"(, "alpha": 1, "alpha_x": 1, "alpha_y": 1)"), "/distribution", {"found alpha with alpha_x with alpha_y"}},
