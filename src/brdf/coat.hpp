@@ -30,7 +30,8 @@ struct Material;
 /// coat, sqrt(1 - (1 - c^2) / eta^2) (Beer and Lambert); it asks for a dielectric coat, whose eta is the index within.
 ///
 /// Terms beneath are evaluated at the directions outside: refraction narrows no lobe, and light is not reflected
-/// between the two. Relative error of the factor below 1e-14, with `albedo` 1e-8 absolute.
+/// between the two. Absolute error of the factor below 1e-14, with `albedo` 1e-8: what is left near grazing, where F
+/// nears 1, has fewer digits.
 class Coat {
 public:
   /// Its parameters: attenuation and tint.
