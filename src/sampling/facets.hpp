@@ -3,9 +3,11 @@
 #pragma once
 
 #include "brdf/term.hpp"
+#include "math/kernels/sampling.hpp"
 #include "sampling/radial_slopes.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace brdfplot {
@@ -37,11 +39,24 @@ public:
     Viewer(const Facets& facets, const Direction& v);
     Direction normal(const SamplePoint& point) const;
 
+    std::size_t components() const { return shares_.size(); }
+    /// The component that the number u in [0, 1) falls to; see chosen().
+    std::size_t component(double& u) const { return chosen(shares_, u); }
+    /// A normal of a component, from the point (u1, u2) of the unit square.
+    Direction normal(std::size_t component, double u1, double u2) const;
+    /// Whether there is a kernel that mirrors at a component's normals.
+    bool has_kernel(std::size_t component) const { return kernels_[component].has_value(); }
+    /// v mirrored at normal(component, u1, u2) of each pair, with its density where the component is the only one.
+    void mirror(std::size_t component, const double* u1, const double* u2, const kernels::MirroredAtNormals& out,
+                std::size_t n) const;
+
   private:
     const Facets* facets_;
     Direction v_;
     std::vector<double> shares_; ///< of the visible area
     std::vector<RadialSlopes::Viewer> viewers_;
+    std::vector<std::optional<kernels::Distribution>> kernels_;
+    std::vector<kernels::SeenFrom> seen_;
   };
 
 private:

@@ -62,6 +62,17 @@ std::function<UnitSlope(double, double, double, double)> closed_visible_slope(co
       component.distribution);
 }
 
+std::optional<kernels::Distribution> kernel_of(const Component& component) {
+  return std::visit(
+      []<class D>(const D&) -> std::optional<kernels::Distribution> {
+        if constexpr (requires { D::UnitShape::kernel; })
+          return D::UnitShape::kernel;
+        else
+          return std::nullopt;
+      },
+      component.distribution);
+}
+
 template <class Function>
 Piece piece_of(double from, double to, bool root, const Function& f) {
   Piece piece{from, to, root};
@@ -134,7 +145,7 @@ double visible_area(const Component& component, const Projection& in_frame) {
 
 RadialSlopes::RadialSlopes(const Component& component)
     : density_(density_of(component)), within_(closed_within(component)),
-      visible_slope_(closed_visible_slope(component)) {
+      visible_slope_(closed_visible_slope(component)), kernel_(kernel_of(component)) {
   const bool infinite = std::visit(
       [](const auto& d) {
         return requires { d.profile.infinite_mean_slope; };

@@ -147,12 +147,6 @@ Direction Sampler::Viewer::sample(const SamplePoint& point) const {
   return normalized(reflected(omega_o_, m));
 }
 
-void Sampler::sample(const Direction& omega_o, const std::vector<SamplePoint>& points, DirectionArrays& omega_i) const {
-  const Viewer viewer(*this, omega_o);
-  omega_i.resize(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) omega_i.set(k, viewer.sample(points[k]));
-}
-
 void Sampler::lobe_densities(const Lobe& lobe, std::size_t n, const Columns& omega_o, const Columns& omega_i,
                              double* out) const {
   if (lobe.strategy == Strategy::cosine) {

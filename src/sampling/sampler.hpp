@@ -53,14 +53,20 @@ public:
     Direction sample(const SamplePoint& point) const;
 
   private:
+    friend class SampleBatches;
+
     const Sampler* sampler_;
     Direction omega_o_;
     std::vector<double> shares_;
     std::vector<std::optional<Facets::Viewer>> facets_;
   };
 
-  /// Directions for a batch of points at one viewer.
+  /// Directions for a batch of points at one viewer: those of Viewer::sample but for rounding, by kernels where there
+  /// are some (math/kernels/sampling.hpp).
   void sample(const Direction& omega_o, const std::vector<SamplePoint>& points, DirectionArrays& omega_i) const;
+  /// The same, and the density of each: what densities() gives but for the rounding of o + i, which narrow lobes feel.
+  void sample(const Direction& omega_o, const std::vector<SamplePoint>& points, DirectionArrays& omega_i,
+              std::vector<double>& pdf) const;
   /// The density (1/sr) of each pair; 0 where o and i are opposite, where it is none.
   void densities(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out) const;
 
