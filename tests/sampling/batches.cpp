@@ -106,13 +106,15 @@ TEST_CASE("directions in batches are those that are drawn one by one") {
                 // are looked at above.
                 if (std::string(type) == "beckmann" && std::fabs(all[k][0] - 0.5) > 0.49999) continue;
                 if (std::string(type) == "beckmann" && std::fabs(all[k][1] - 0.5) > 0.49999) continue;
-                worst = std::fmax(worst, apart(at(lights, k), viewer.sample(all[k])));
+                // At the rim of GGX's cap slopes are a quotient by 1 - u2, and as sensitive to u1.
+                const double sensitivity = std::string(type) == "ggx" ? 1 / (1 - all[k][1]) : 100;
+                worst = std::fmax(worst, apart(at(lights, k), viewer.sample(all[k])) / sensitivity);
                 CHECK(std::fabs(dot(at(lights, k), at(lights, k)) - 1) < 1e-14);
                 CHECK((pdf[k] >= 0 && std::isfinite(pdf[k])));
               }
               CAPTURE(m.name);
               CAPTURE(theta);
-              CHECK(worst < 1e-11);
+              CHECK(worst < 1e-14);
             }
           }
   });
