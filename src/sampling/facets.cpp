@@ -34,6 +34,10 @@ bool Facets::visible() const {
   return std::ranges::all_of(slopes_, [](const auto& s) { return s.visible(); });
 }
 
+bool Facets::ggx() const {
+  return std::ranges::all_of(slopes_, [](const auto& s) { return s.kernel() == kernels::Distribution::ggx; });
+}
+
 Direction Facets::normal(const SamplePoint& point) const {
   double rest = point[2];
   const std::size_t k = chosen(shares_, rest);
@@ -69,14 +73,14 @@ kernels::SeenFrom seen_from(const Component& component, const Direction& v) {
 
 } // namespace
 
-Facets::Viewer::Viewer(const Facets& facets, const Direction& v) : facets_(&facets), v_(v) {
+Facets::Viewer::Viewer(const Facets& facets, const Direction& v, bool on_disc) : facets_(&facets), v_(v) {
   const double whole = facets.visible_area(v);
   for (std::size_t k = 0; k < facets.components_.size(); ++k) {
     const Component& component = facets.components_[k];
     seen_.push_back(seen_from(component, v));
     shares_.push_back(component.weight * seen_.back().visible_area / whole);
-    kernels_.push_back(facets.slopes_[k].kernel());
-    viewers_.emplace_back(facets.slopes_[k], seen_.back().c, seen_.back().s);
+    kernels_.push_back(on_disc ? std::nullopt : facets.slopes_[k].kernel());
+    viewers_.emplace_back(facets.slopes_[k], seen_.back().c, seen_.back().s, on_disc);
   }
 }
 

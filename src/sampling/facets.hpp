@@ -25,6 +25,8 @@ public:
 
   /// Whether normals can be drawn as they are seen (see RadialSlopes::visible()).
   bool visible() const;
+  /// Whether all components are GGX.
+  bool ggx() const;
   const Distribution& distribution() const { return distribution_; }
   const std::vector<Component>& components() const { return components_; }
 
@@ -36,7 +38,8 @@ public:
   /// Normals with the density <v, m> D(m) / visible_area(v), c of v > 0 (Eq. 16).
   class Viewer {
   public:
-    Viewer(const Facets& facets, const Direction& v);
+    /// `on_disc`: all components are GGX, and drawn by Heitz's map of 2018.
+    Viewer(const Facets& facets, const Direction& v, bool on_disc = false);
     Direction normal(const SamplePoint& point) const;
 
     std::size_t components() const { return shares_.size(); }

@@ -1,5 +1,6 @@
 #include "sampling/radial_slopes.hpp"
 
+#include "microfacet/distributions/ggx.hpp"
 #include "microfacet/visible_normals.hpp"
 
 #include <algorithm>
@@ -169,8 +170,8 @@ RadialSlopes::RadialSlopes(const Component& component)
 
 double RadialSlopes::within(double u) const { return within_ ? within_(u) : std::exp(ground_.inverse(u)); }
 
-RadialSlopes::Viewer::Viewer(const RadialSlopes& slopes, double c, double s)
-    : c_(c), s_(s), closed_(slopes.visible_slope_) {
+RadialSlopes::Viewer::Viewer(const RadialSlopes& slopes, double c, double s, bool on_disc)
+    : c_(c), s_(s), closed_(on_disc ? &GgxShape::visible_slope_2018 : slopes.visible_slope_) {
   if (closed_) return;
   const double horizon = s > 0 ? std::log(c / s) : infinity;
   const auto seen = [=](double x) {

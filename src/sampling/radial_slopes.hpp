@@ -41,7 +41,8 @@ public:
   /// then of psi by Newton's rule.
   class Viewer {
   public:
-    Viewer(const RadialSlopes& slopes, double c, double s);
+    /// `on_disc`: GGX's by Heitz's map of 2018 instead.
+    Viewer(const RadialSlopes& slopes, double c, double s, bool on_disc = false);
     UnitSlope operator()(double u1, double u2) const;
 
   private:
