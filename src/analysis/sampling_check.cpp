@@ -214,10 +214,9 @@ private:
 
   static void count_faults(const std::vector<double>& pdf, const std::vector<double>& brdf_cos,
                            SamplingFindings& found) {
-    constexpr double underflow = 1e-280; // of the density, whose factors are others
     for (std::size_t k = 0; k < pdf.size(); ++k) {
       if (!(pdf[k] >= 0 && pdf[k] < infinity)) ++found.untold;
-      if (brdf_cos[k] > underflow && pdf[k] == 0) ++found.uncovered;
+      if (brdf_cos[k] > underflow_of_densities && pdf[k] == 0) ++found.uncovered;
     }
   }
 

@@ -29,7 +29,7 @@ public:
     density_(batch.n, batch.o, batch.i, out.data());
     for (std::size_t k = 0; k < batch.n; ++k) {
       const double f = brdf_cos_[channel_ * batch.n + k];
-      out[k] = f > 0 ? f * (f / out[k]) : 0;
+      out[k] = f > underflow_of_densities ? f * (f / out[k]) : 0;
     }
   }
 
@@ -101,7 +101,7 @@ double largest_weight(const Material& material, const Sampler& sampler, const Di
   sampler.densities(batch.n, batch.o, batch.i, pdf.data());
   evaluate(material, Quantity::brdf_cos, batch, brdf_cos.data());
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (brdf_cos[first + k] > 0) largest = std::fmax(largest, brdf_cos[first + k] / pdf[k]);
+    if (brdf_cos[first + k] > underflow_of_densities) largest = std::fmax(largest, brdf_cos[first + k] / pdf[k]);
   return largest;
 }
 

@@ -15,6 +15,9 @@ namespace brdfplot {
 using PairDensity = std::function<void(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out)>;
 PairDensity density_of(const Sampler& sampler);
 
+/// Where the BRDF is below this, a density may be 0 by underflow: its factors are others.
+inline constexpr double underflow_of_densities = 1e-280;
+
 /// The mean of squared weights of one channel, int (rho c_i)^2 / pdf di over the lights above the horizon; infinite
 /// where a density is 0 and the BRDF is not. By quadrature about what the material's terms are narrow about, whatever
 /// the density. \pre omega_o above the horizon of the mesosurface
