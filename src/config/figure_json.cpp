@@ -7,6 +7,7 @@
 #include "config/figure_scope.hpp"
 #include "config/figure_sphere.hpp"
 #include "config/load.hpp"
+#include "config/quick_figure.hpp"
 #include "config/shapes.hpp"
 #include "figure/series/simulated.hpp"
 
@@ -293,12 +294,27 @@ private:
 
 } // namespace
 
-FigureFile load_figure(const std::string& path) {
-  const JsonFile file(path);
+namespace {
+
+plot::FigureDescription read_figure(const JsonFile& file) {
   static const ShapePtr shape = figure_shape();
   file.check(*shape);
   check_count(file);
-  return {Reader(file).figure(), file.text()};
+  return Reader(file).figure();
+}
+
+} // namespace
+
+FigureFile load_figure(const std::string& path) {
+  const JsonFile file(path);
+  const Json& root = file.root();
+  if (root.is_object() && !root.contains("panels") && (root.contains("distribution") || root.contains("terms")))
+    file.fail("", "found a material, accepted: a figure; -q QUANTITY draws a material");
+  return {read_figure(file), file.text()};
+}
+
+plot::FigureDescription load_quick_figure(const QuickFigure& figure) {
+  return read_figure(JsonFile("plot", quick_figure(figure, ".")));
 }
 
 } // namespace brdfplot::config
