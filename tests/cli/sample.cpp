@@ -44,7 +44,7 @@ TEST_CASE("what is drawn can be read again, and pdf is the one that it was drawn
 TEST_CASE("neither threads nor the way in change a byte of what is drawn; a seed does") {
   const Folder folder;
   std::string viewers = "theta_o,phi_o\n";
-  for (int k = 0; k < 3000; ++k) viewers += std::to_string(k * 0.0005) + "," + std::to_string(k) + "\n";
+  for (int k = 0; k < 3000; ++k) viewers += std::to_string(k * 0.0005) + "," + std::to_string(k * 0.002) + "\n";
   folder.write("in.csv", viewers);
   for (const std::string points : {"random", "sobol"}) {
     const std::string command = sample + "-i in.csv -n 7 --points " + points;
