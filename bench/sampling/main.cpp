@@ -208,7 +208,7 @@ Material material_of(const std::string& type, const std::string& shadowing) {
   description.distribution.type = type;
   description.distribution.values.set("alpha_x", alpha_x);
   description.distribution.values.set("alpha_y", alpha_y);
-  description.shadowing = ModelChoice(shadowing);
+  description.shadowing = ModelChoice{shadowing, {}};
   return build(description);
 }
 

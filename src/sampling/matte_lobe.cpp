@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace brdfplot {
 
@@ -10,7 +11,7 @@ namespace {
 
 class MatteLobe : public DirectLobe {
 public:
-  explicit MatteLobe(const TermAlbedo& other) : other_(other) {
+  explicit MatteLobe(TermAlbedo other) : other_(std::move(other)) {
     constexpr int pieces = 64;
     for (int k = 0; k < pieces; ++k) {
       PiecewiseDensity::Piece piece{static_cast<double>(k) / pieces, static_cast<double>(k + 1) / pieces};
