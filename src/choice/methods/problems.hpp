@@ -6,9 +6,10 @@
 
 namespace brdfplot::choice {
 
+Problem lambda_beckmann();
 Problem lambda_ggx();
 
 /// Each makes a problem.
-inline constexpr std::array problem_list = {&lambda_ggx};
+inline constexpr std::array problem_list = {&lambda_beckmann, &lambda_ggx};
 
 } // namespace brdfplot::choice
