@@ -4,8 +4,10 @@
 #include "base/echo.hpp"
 #include "base/errors.hpp"
 #include "base/text_files.hpp"
+#include "choice/methods/of_material.hpp"
 #include "choice/pareto/tables.hpp"
 #include "command.hpp"
+#include "config/load.hpp"
 #include "config/pareto_json.hpp"
 #include "draw/html/page.hpp"
 #include "figure/pareto_figure.hpp"
@@ -30,10 +32,32 @@ struct ParetoFlags {
   std::string output;
 };
 
-/// Those that are named, in that order; all where none is.
-std::vector<choice::Problem> chosen_problems(const std::vector<std::string>& names) {
-  std::vector<choice::Problem> all = choice::problems();
-  if (names.empty()) return all;
+bool is_file(const std::string& name) { return name.ends_with(".json") || name.find('/') != std::string::npos; }
+
+/// The problems of a material; what is wrong with it is said of its file.
+std::vector<choice::Problem> problems_of_file(const std::string& file) {
+  try {
+    return choice::problems_of(config::load_material(file));
+  } catch (const MaterialError& error) {
+    throw InputError(file + ": " + error.pointer(), error.reason());
+  }
+}
+
+/// Those that are named, in that order, of the material where there is one, and else of this program; where none is,
+/// all of the material, or all.
+std::vector<choice::Problem> chosen_problems(const std::vector<std::string>& arguments) {
+  std::vector<choice::Problem> all;
+  std::vector<std::string> names;
+  for (const auto& argument : arguments) {
+    if (!is_file(argument)) {
+      names.push_back(argument);
+      continue;
+    }
+    if (!all.empty()) throw InputError("pareto", "found a second material, \"" + echo(argument) + "\"; accepted: one");
+    all = problems_of_file(argument);
+  }
+  if (names.empty()) return all.empty() ? choice::problems() : all;
+  for (auto& problem : choice::problems()) all.push_back(std::move(problem));
   std::vector<std::string> accepted;
   for (const auto& problem : all) accepted.push_back(problem.name);
   std::vector<choice::Problem> chosen;
@@ -74,7 +98,16 @@ std::string heading(const choice::ProblemResult& result, bool times) {
 std::string tables(const std::vector<choice::ProblemResult>& results, const choice::MachineRecord& machine,
                    bool times) {
   std::string out;
-  for (const auto& result : results) out += heading(result, times) + aligned(pareto_cells(result)) + "\n";
+  for (const auto& result : results) {
+    out += heading(result, times) + aligned(pareto_cells(result));
+    for (const choice::CostKind cost : {choice::CostKind::counted, choice::CostKind::measured})
+      for (const choice::ErrorKind error : {choice::ErrorKind::relative, choice::ErrorKind::absolute})
+        if (cost == choice::CostKind::counted ? result.has_costs() : times)
+          out += "  " + front_line(result, cost, error) + "\n";
+    for (const auto& m : result.methods)
+      if (!m.method.note.empty()) out += "  " + m.method.name + ": " + m.method.note + "\n";
+    out += "\n";
+  }
   out += choice::pareto_legend();
   if (times) out += "Times: " + machine.processor + ", " + machine.compiler + ", " + machine.date + "\n";
   return out;
@@ -90,7 +123,7 @@ std::vector<NamedText> files_of(const std::vector<choice::ProblemResult>& result
   for (const auto& result : results) {
     const std::string& section = result.problem.doc;
     for (const choice::CostKind cost : {choice::CostKind::counted, choice::CostKind::measured}) {
-      if (cost == choice::CostKind::measured && !times) continue;
+      if (cost == choice::CostKind::counted ? !result.has_costs() : !times) continue;
       const plot::Figure figure = plot::pareto_figure(result, cost, machine);
       const std::string svg = plot::to_svg(figure), csv = plot::to_csv(figure);
       files.push_back({figure.id + ".svg", svg});
@@ -132,7 +165,12 @@ int run(const ParetoFlags& flags, const Settings& settings) {
 Command add_pareto(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<ParetoFlags>();
   CLI::App* command = app.add_subcommand("pareto", "What every method of a quantity costs, and how far it is off");
-  command->add_option("quantities", flags->quantities, "Quantities; default: all")->type_name("QUANTITY");
+  command
+      ->add_option(
+          "quantities", flags->quantities,
+          "Quantities, and a material (a file) whose own they may be; default: all, of the material where there "
+          "is one")
+      ->type_name("QUANTITY|MATERIAL.json");
   command
       ->add_option("-o,--output", flags->output,
                    "Folder of QUANTITY_cost.svg, QUANTITY_time.svg, pareto.csv, times.csv, pareto.json, index.html")

@@ -64,6 +64,8 @@ Json method_json(const choice::ProblemResult& result, std::size_t k) {
               {"format", m.method.is_single() ? "float" : "double"},
               {"portable", m.method.portable},
               {"bytes", m.method.bytes}};
+  if (m.method.evaluations > 0) out["evaluations"] = m.method.evaluations;
+  if (!m.method.note.empty()) out["note"] = m.method.note;
   out["operations"] = m.method.operations ? operations_json(*m.method.operations) : Json();
   out["cost"] = m.cost ? Json(*m.cost) : Json();
   out["errors"] = errors_json(result.problem, m.errors);

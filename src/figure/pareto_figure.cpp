@@ -10,9 +10,12 @@ CostChart chart_of(const choice::ProblemResult& result, choice::CostKind cost, c
   const bool relative = error == choice::ErrorKind::relative;
   const std::string of = result.problem.seen_as.empty() ? "the value" : result.problem.seen_as;
   CostChart chart;
-  chart.cost = cost == choice::CostKind::counted
-                   ? Axis{.label = "estimated cost, in multiply-adds of floats", .column = "cost"}
-                   : Axis{.label = "least time of a value, in ns", .column = "ns"};
+  chart.cost =
+      cost == choice::CostKind::counted
+          ? Axis{.label = "cost, in " + (result.problem.cost_unit.empty() ? "multiply-adds of floats, estimated"
+                                                                          : result.problem.cost_unit),
+                 .column = "cost"}
+          : Axis{.label = "least time of a value, in ns", .column = "ns"};
   chart.error = relative ? Axis{.label = "largest relative error", .column = "relative_error"}
                          : Axis{.label = "largest error of " + of, .column = "absolute_error"};
   const choice::Dominated& front = result.front(cost, error);

@@ -56,10 +56,12 @@ struct Method {
   std::string source; ///< author, year, equation
   Kind kind = Kind::printed;
   std::variant<Run<double>, Run<float>>
-      run;                              ///< for float, the inputs are rounded to float before they are anything else
-  std::optional<Operations> operations; ///< the most of any input that was counted; none where it cannot be counted
-  std::size_t bytes = 0;                ///< of tables
-  double bound = 0;                     ///< the relative error that it states over the whole domain; 0: none
+      run;                                ///< for float, the inputs are rounded to float before they are anything else
+  std::optional<Operations> operations{}; ///< the most of any input that was counted; none where it cannot be counted
+  std::size_t bytes = 0;                  ///< of tables
+  double bound = 0;                       ///< the relative error that it states over the whole domain; 0: none
+  double evaluations = 0;                 ///< of an integrand, the most that were seen: a quadrature's cost; 0: none
+  std::string note{};                     ///< what else was found: whether its own estimate of its error holds
   bool portable = true; ///< the same on every machine; not so a kernel of an instruction set that some have
 
   bool is_single() const { return std::holds_alternative<Run<float>>(run); }
@@ -75,11 +77,13 @@ struct Problem {
 
   // What is true of the exact function.
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
-  std::vector<int> monotone; ///< for each input: 1 grows with it, -1 falls, 0 neither; empty: neither in all
+  std::vector<int> monotone{}; ///< for each input: 1 grows with it, -1 falls, 0 neither; empty: neither in all
   /// What of a value is seen, where its relative error is not what matters: G1 = 1 / (1 + Lambda) of a Lambda. Empty:
   /// the value itself.
-  std::function<double(double)> seen;
+  std::function<double(double)> seen{};
   std::string seen_as{}; ///< its name: "G1"
+
+  std::string cost_unit{}; ///< of costs where they are no operations: "evaluations of the integrand"
 
   // How exact values are asked for.
   double exact_error = 0;     ///< a bound of the relative error of `exact`, where it is not that of 32 digits

@@ -5,7 +5,7 @@
 
 namespace brdfplot::choice {
 
-Dominated dominated(std::span<const CostError> points) {
+Dominated dominated(std::span<const CostError> points, double slack) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k)
     if (std::isfinite(points[k].cost) && std::isfinite(points[k].error)) order.push_back(k);
@@ -14,14 +14,13 @@ Dominated dominated(std::span<const CostError> points) {
     return p.cost < q.cost || (!(q.cost < p.cost) && p.error < q.error);
   });
   Dominated result{std::vector<bool>(points.size()), std::vector<std::optional<std::size_t>>(points.size())};
-  std::optional<std::size_t> best;
+  std::optional<std::size_t> best; // of all that cost no more, with the slack
+  std::size_t reached = 0;
   for (const std::size_t k : order) {
-    if (!best || points[k].error < points[*best].error) {
-      result.on_front[k] = true;
-      best = k;
-    } else {
-      result.by[k] = best;
-    }
+    for (; reached < order.size() && points[order[reached]].cost <= slack * points[k].cost; ++reached)
+      if (!best || points[order[reached]].error < points[*best].error) best = order[reached];
+    result.on_front[k] = best == k;
+    if (best != k) result.by[k] = best;
   }
   return result;
 }

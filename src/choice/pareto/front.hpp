@@ -23,6 +23,8 @@ struct Dominated {
   std::vector<std::optional<std::size_t>> by; ///< none of a point that is on the front or is none
 };
 
-Dominated dominated(std::span<const CostError> points);
+/// With a `slack` above 1, costs that differ by no more than that factor are not told apart: of two such points the one
+/// with the smaller error dominates.
+Dominated dominated(std::span<const CostError> points, double slack = 1);
 
 } // namespace brdfplot::choice

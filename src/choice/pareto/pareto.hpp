@@ -13,8 +13,12 @@ enum class CostKind { counted, measured };
 enum class ErrorKind { relative, absolute };
 
 /// The estimated cost in multiply-adds of floats: cost() of the operations, twice that in double, of which a vector
-/// register holds half as many. Nothing where they are not counted.
-std::optional<double> estimated_cost(const Method& method);
+/// register holds half as many. Of a problem with a unit of its own, the evaluations. Nothing where they are not
+/// counted.
+std::optional<double> estimated_cost(const Problem& problem, const Method& method);
+
+/// Times that differ by less are not told apart: the least of some repeats within 0.3 to 8 %.
+inline constexpr double time_slack = 1.1;
 
 struct MethodResult {
   Method method;
@@ -33,6 +37,7 @@ struct ProblemResult {
   const Dominated& front(CostKind cost, ErrorKind error) const {
     return fronts.at(2 * static_cast<std::size_t>(cost) + static_cast<std::size_t>(error));
   }
+  bool has_costs() const;                                    ///< whether any is counted
   double cost_of(std::size_t method, CostKind kind) const;   ///< NaN where it is not known
   double error_of(std::size_t method, ErrorKind kind) const; ///< >= 0
 
