@@ -2,9 +2,32 @@
 
 #include "figure/cost_chart.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+
 namespace brdfplot::plot {
 
 namespace {
+
+/// An error above this says no more than that there is nothing right.
+constexpr double hopeless = 10;
+
+/// A point, within the chart where its error is hopeless: then its name tells it.
+CostPoint point_of(const choice::ProblemResult& result, std::size_t k, choice::CostKind cost, choice::ErrorKind error) {
+  const choice::Method& method = result.methods[k].method;
+  CostPoint point{.name = method.name,
+                  .cost = result.cost_of(k, cost),
+                  .error = result.error_of(k, error),
+                  .on_front = result.front(cost, error).on_front[k],
+                  .group = std::string(kind_word(method.kind))};
+  if (!(point.error > hopeless) || std::isinf(point.error)) return point;
+  std::array<char, 24> text{};
+  std::snprintf(text.data(), text.size(), " (%.0e)", point.error);
+  point.name += text.data();
+  point.error = hopeless;
+  return point;
+}
 
 CostChart chart_of(const choice::ProblemResult& result, choice::CostKind cost, choice::ErrorKind error) {
   const bool relative = error == choice::ErrorKind::relative;
@@ -18,15 +41,10 @@ CostChart chart_of(const choice::ProblemResult& result, choice::CostKind cost, c
           : Axis{.label = "least time of a value, in ns", .column = "ns"};
   chart.error = relative ? Axis{.label = "largest relative error", .column = "relative_error"}
                          : Axis{.label = "largest error of " + of, .column = "absolute_error"};
-  const choice::Dominated& front = result.front(cost, error);
   for (std::size_t k = 0; k < result.methods.size(); ++k) {
     const choice::Method& method = result.methods[k].method;
     if (cost == choice::CostKind::counted && !method.portable) continue;
-    chart.points.push_back({.name = method.name,
-                            .cost = result.cost_of(k, cost),
-                            .error = result.error_of(k, error),
-                            .on_front = front.on_front[k],
-                            .group = std::string(kind_word(method.kind))});
+    chart.points.push_back(point_of(result, k, cost, error));
   }
   return chart;
 }

@@ -143,35 +143,56 @@ TEST_CASE("pareto: errors of fits of the albedo") {
                    << ", cos = " << errors.absolute().input.at(1));
     return errors.absolute().error;
   };
+  // A and B of MaterialX as in its notes. Those of the other three are 0.065, 0.062 and 0.051 on a grid of alpha =
+  // 0.01, 0.02, ...; between its points they are larger.
   CHECK(agrees(largest(albedo_ggx_a(), "materialx"), 0.064, 1e-3));
   CHECK(agrees(largest(albedo_ggx_b(), "materialx"), 0.024, 1e-3));
-  CHECK(agrees(largest(albedo_ggx(), "materialx"), 0.065, 1e-3));
-  CHECK(agrees(largest(albedo_ggx(), "unreal"), 0.062, 1e-3));
-  CHECK(agrees(largest(albedo_ggx_b(), "unreal"), 0.051, 1e-3));
+  CHECK(agrees(largest(albedo_ggx(), "materialx"), 0.068, 1e-3));
+  CHECK(agrees(largest(albedo_ggx(), "unreal"), 0.064, 1e-3));
+  CHECK(agrees(largest(albedo_ggx_b(), "unreal"), 0.055, 1e-3));
 }
+
+namespace {
+
+/// Few values, so that many are equal; two points are none.
+std::vector<CostError> random_points(Random& random) {
+  std::vector<CostError> points;
+  for (int k = 0; k < 12; ++k) points.push_back({std::floor(6 * random.uniform()), std::floor(6 * random.uniform())});
+  points[3].error = std::numeric_limits<double>::infinity();
+  points[4].cost = std::numeric_limits<double>::quiet_NaN();
+  return points;
+}
+
+bool is_beaten(const std::vector<CostError>& points, std::size_t k) {
+  const CostError& p = points[k];
+  if (!std::isfinite(p.cost) || !std::isfinite(p.error)) return true;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const CostError& q = points[j];
+    const bool better = q.cost < p.cost || q.error < p.error || j < k;
+    if (j != k && q.cost <= p.cost && q.error <= p.error && better) return true;
+  }
+  return false;
+}
+
+} // namespace
 
 TEST_CASE("pareto: the front is what a search through all pairs finds") {
   Random random(5, 0);
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<CostError> points;
-    // Few values, so that many are equal.
-    for (int k = 0; k < 12; ++k) points.push_back({std::floor(6 * random.uniform()), std::floor(6 * random.uniform())});
-    points[3].error = std::numeric_limits<double>::infinity();
-    points[4].cost = std::numeric_limits<double>::quiet_NaN();
-    for (const double slack : {1.0, 1.5}) {
-      const Dominated found = dominated(points, slack);
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        bool beaten = k == 3 || k == 4;
-        for (std::size_t j = 0; j < points.size(); ++j) {
-          if (j == 3 || j == 4 || j == k || k == 3 || k == 4) continue;
-          const bool less = points[j].error < points[k].error;
-          const bool same = points[j].error == points[k].error;
-          const bool first = points[j].cost < points[k].cost || (points[j].cost == points[k].cost && j < k);
-          if (points[j].cost <= slack * points[k].cost && (less || (same && first))) beaten = true;
-        }
-        CHECK(found.on_front[k] == !beaten);
-        if (found.by[k]) CHECK(points[*found.by[k]].error <= points[k].error);
-      }
+  for (int trial = 0; trial < 500; ++trial) {
+    const auto points = random_points(random);
+    const Dominated found = dominated(points);
+    const Slack slack{.cost = 1.5, .error = 1.3};
+    const Dominated with_slack = dominated(points, slack);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      CHECK(found.on_front[k] == !is_beaten(points, k));
+      if (with_slack.on_front[k]) CHECK(found.on_front[k]);
+      CHECK((with_slack.on_front[k] || with_slack.by[k].has_value()) ==
+            (std::isfinite(points[k].cost) && std::isfinite(points[k].error)));
+      if (!with_slack.by[k]) continue;
+      const std::size_t by = *with_slack.by[k];
+      CHECK(with_slack.on_front[by]);
+      CHECK(points[by].cost <= slack.cost * points[k].cost);
+      CHECK(points[by].error <= slack.error * points[k].error);
     }
   }
 }

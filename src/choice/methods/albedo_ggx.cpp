@@ -199,7 +199,7 @@ Problem albedo_problem(const std::string& name, const std::string& doc, Scale90 
   Problem p{.name = name,
             .doc = doc,
             .source = "Heitz 2014, Eqs. 29 and 99, under F0 A + F90 B of Schlick's F",
-            .inputs = {{"alpha", "roughness", 0.02, 1, choice::Scale::linear},
+            .inputs = {{"alpha", "roughness", 0.01, 1, choice::Scale::logarithmic},
                        {"cos_theta", "cosine of the viewer", 0.02, 1, choice::Scale::linear}},
             .exact =
                 [scale](std::span<const double> x) {

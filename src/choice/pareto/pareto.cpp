@@ -48,7 +48,7 @@ void find_fronts(ProblemResult& result) {
       std::vector<CostError> points;
       for (std::size_t k = 0; k < result.methods.size(); ++k)
         points.push_back({result.cost_of(k, cost), result.error_of(k, error)});
-      result.fronts.push_back(dominated(points, cost == CostKind::measured ? time_slack : 1));
+      result.fronts.push_back(dominated(points, cost == CostKind::measured ? measured_slack : counted_slack));
     }
 }
 

@@ -17,8 +17,9 @@ enum class ErrorKind { relative, absolute };
 /// counted.
 std::optional<double> estimated_cost(const Problem& problem, const Method& method);
 
-/// Times that differ by less are not told apart: the least of some repeats within 0.3 to 8 %.
-inline constexpr double time_slack = 1.1;
+/// What is not told apart: times within 10 %, since the least of some repeats within 0.3 to 8 %; and errors within 25
+/// %, since the largest of roundings is chance.
+inline constexpr Slack counted_slack{.cost = 1, .error = 1.25}, measured_slack{.cost = 1.1, .error = 1.25};
 
 struct MethodResult {
   Method method;

@@ -163,7 +163,7 @@ std::string pareto_legend() {
          "ratio: against the reference. relative, ulp, absolute: the largest errors found; where: of the absolute "
          "one.\n"
          "front, timed: r, a: nothing is as cheap and as good in the relative or absolute error, by cost, by time.\n"
-         "Times within 10 % of each other are not told apart.\n";
+         "Times within 10 % and errors within 25 % of each other are not told apart.\n";
 }
 
 } // namespace brdfplot::choice
