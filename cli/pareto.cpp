@@ -95,68 +95,87 @@ std::string heading(const choice::ProblemResult& result, bool times) {
          " inputs" + (times ? "; reference: " + result.methods[result.reference].method.name : "") + "\n";
 }
 
-std::string tables(const std::vector<choice::ProblemResult>& results, const choice::MachineRecord& machine,
-                   bool times) {
-  std::string out;
-  for (const auto& result : results) {
-    out += heading(result, times) + aligned(pareto_cells(result));
-    for (const choice::CostKind cost : {choice::CostKind::counted, choice::CostKind::measured})
-      for (const choice::ErrorKind error : {choice::ErrorKind::relative, choice::ErrorKind::absolute})
-        if (cost == choice::CostKind::counted ? result.has_costs() : times)
-          out += "  " + front_line(result, cost, error) + "\n";
-    for (const auto& m : result.methods)
-      if (!m.method.note.empty()) out += "  " + m.method.name + ": " + m.method.note + "\n";
-    out += "\n";
+/// What was found of methods besides, in a line for all that it is the same of.
+std::string notes(const choice::ProblemResult& result) {
+  std::vector<std::pair<std::string, std::string>> lines; // note, names
+  for (const auto& m : result.methods) {
+    if (m.method.note.empty()) continue;
+    const auto same = std::ranges::find(lines, m.method.note, &std::pair<std::string, std::string>::first);
+    if (same == lines.end())
+      lines.emplace_back(m.method.note, m.method.name);
+    else
+      same->second += ", " + m.method.name;
   }
+  std::string out;
+  for (const auto& [note, names] : lines) out += "  " + names + ": " + note + "\n";
+  return out;
+}
+
+/// Where times were measured, if they were.
+using Machine = std::optional<choice::MachineRecord>;
+
+std::string fronts(const choice::ProblemResult& result, bool times) {
+  std::string out;
+  for (const choice::CostKind cost : {choice::CostKind::counted, choice::CostKind::measured})
+    for (const choice::ErrorKind error : {choice::ErrorKind::relative, choice::ErrorKind::absolute})
+      if (cost == choice::CostKind::counted ? result.has_costs() : times)
+        out += "  " + front_line(result, cost, error) + "\n";
+  return out;
+}
+
+std::string tables(const std::vector<choice::ProblemResult>& results, const Machine& machine) {
+  const bool times = machine.has_value();
+  std::string out;
+  for (const auto& result : results)
+    out += heading(result, times) + aligned(pareto_cells(result)) + fronts(result, times) + notes(result) + "\n";
   out += choice::pareto_legend();
-  if (times) out += "Times: " + machine.processor + ", " + machine.compiler + ", " + machine.date + "\n";
+  if (machine) out += "Times: " + machine->text() + "\n";
   return out;
 }
 
 /// The files of one folder.
-std::vector<NamedText> files_of(const std::vector<choice::ProblemResult>& results, const choice::MachineRecord& machine,
-                                bool times) {
+std::vector<NamedText> files_of(const std::vector<choice::ProblemResult>& results, const Machine& machine) {
   std::vector<NamedText> files;
   plot::Page page{.title = "Cost against error", .introduction = choice::pareto_legend(), .footer = "", .entries = {}};
-  page.footer = "Made by brdfplot " + std::string(version) + " pareto" +
-                (times ? " on " + machine.processor + ", " + machine.compiler + ", " + machine.date : "") + ".";
+  page.footer =
+      "Made by brdfplot " + std::string(version) + " pareto" + (machine ? " on " + machine->text() : "") + ".";
+  const auto add_chart = [&](const choice::ProblemResult& result, const plot::Figure& figure) {
+    const std::string svg = plot::to_svg(figure);
+    files.push_back({figure.id + ".svg", svg});
+    page.entries.push_back(
+        {figure.id, result.problem.doc, figure.title, figure.description, svg, plot::to_csv(figure), "", {}, 0});
+  };
   for (const auto& result : results) {
-    const std::string& section = result.problem.doc;
-    for (const choice::CostKind cost : {choice::CostKind::counted, choice::CostKind::measured}) {
-      if (cost == choice::CostKind::counted ? !result.has_costs() : !times) continue;
-      const plot::Figure figure = plot::pareto_figure(result, cost, machine);
-      const std::string svg = plot::to_svg(figure), csv = plot::to_csv(figure);
-      files.push_back({figure.id + ".svg", svg});
-      page.entries.push_back({figure.id, section, figure.title, figure.description, svg, csv, "", {}, 0});
-    }
-    page.entries.push_back({result.problem.name, section, result.problem.doc + ": all methods", result.problem.source,
-                            "", choice::pareto_csv({result}), "", choice::pareto_cells(result), 0});
+    if (result.has_costs()) add_chart(result, plot::pareto_figure(result));
+    if (machine) add_chart(result, plot::pareto_figure(result, *machine));
+    page.entries.push_back({result.problem.name, result.problem.doc, result.problem.doc + ": all methods",
+                            result.problem.source, "", choice::pareto_csv({result}), "", choice::pareto_cells(result),
+                            0});
   }
   files.push_back({"pareto.csv", choice::pareto_csv(results)});
-  if (times) files.push_back({"times.csv", choice::times_csv(results, machine)});
+  if (machine) files.push_back({"times.csv", choice::times_csv(results, *machine)});
   files.push_back({"index.html", plot::to_html(page)});
   files.push_back({"pareto.json", config::pareto_record(results, machine, std::string(version))});
   return files;
 }
 
 int run(const ParetoFlags& flags, const Settings& settings) {
-  const bool times = !flags.no_times;
   std::vector<choice::Problem> problems = chosen_problems(flags.quantities);
   if (!flags.output.empty()) create_folders(flags.output);
   std::vector<choice::ProblemResult> results;
   {
     Progress progress(settings);
     results = choice::pareto(
-        std::move(problems), {.threads = settings.threads, .times = times},
+        std::move(problems), {.threads = settings.threads, .times = !flags.no_times},
         [&](double share, const std::string& what) { progress.set(static_cast<std::size_t>(100 * share), 100, what); });
   }
-  const choice::MachineRecord machine = choice::machine_record();
+  const Machine machine = flags.no_times ? Machine() : choice::machine_record();
   if (!flags.output.empty()) {
-    std::vector<NamedText> files = files_of(results, machine, times);
+    std::vector<NamedText> files = files_of(results, machine);
     for (auto& file : files) file.path = in_folder(flags.output, file.path);
     write_text_files(files);
   }
-  print(flags.json ? config::pareto_record(results, machine, std::string(version)) : tables(results, machine, times));
+  print(flags.json ? config::pareto_record(results, machine, std::string(version)) : tables(results, machine));
   return 0;
 }
 
@@ -176,7 +195,7 @@ Command add_pareto(CLI::App& app, const Settings& settings) {
                    "Folder of QUANTITY_cost.svg, QUANTITY_time.svg, pareto.csv, times.csv, pareto.json, index.html")
       ->type_name("DIR");
   command->add_flag("--json", flags->json, "Everything that was measured, as JSON on stdout");
-  command->add_flag("--no-times", flags->no_times, "Operations alone: the same bytes on every run");
+  command->add_flag("--no-times", flags->no_times, "Counted costs alone: the same bytes on every run");
   command->footer(footer("brdfplot pareto lambda_beckmann"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }

@@ -97,13 +97,11 @@ Json problem_json(const choice::ProblemResult& result) {
 
 } // namespace
 
-std::string pareto_record(const std::vector<choice::ProblemResult>& results, const choice::MachineRecord& machine,
-                          const std::string& version) {
-  Json out = {{"version", version},
-              {"processor", machine.processor},
-              {"compiler", machine.compiler},
-              {"date", machine.date},
-              {"problems", Json::array()}};
+std::string pareto_record(const std::vector<choice::ProblemResult>& results,
+                          const std::optional<choice::MachineRecord>& machine, const std::string& version) {
+  Json out = {{"version", version}, {"problems", Json::array()}};
+  if (machine)
+    out["machine"] = {{"processor", machine->processor}, {"compiler", machine->compiler}, {"date", machine->date}};
   for (const auto& result : results) out["problems"].push_back(problem_json(result));
   return out.dump(2) + "\n";
 }

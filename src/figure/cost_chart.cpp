@@ -109,7 +109,7 @@ Panel panel_of(const CostChart& chart, const std::vector<std::string>& groups) {
   panel.y = chart.error;
   panel.x.scale = panel.y.scale = Scale::logarithmic;
   set_range(panel.x, chart.points, &CostPoint::cost, 1.1);
-  set_range(panel.y, chart.points, &CostPoint::error, 1.5);
+  set_range(panel.y, chart.points, &CostPoint::error, 3);
   panel.series.push_back(staircase(chart.points, panel.x));
   // Those on the front are named first: they get the places nearest to their dots.
   for (const bool on_front : {true, false})

@@ -49,6 +49,16 @@ CostChart chart_of(const choice::ProblemResult& result, choice::CostKind cost, c
   return chart;
 }
 
+Figure figure_of(const choice::ProblemResult& result, choice::CostKind cost, const std::string& suffix,
+                 const std::string& place) {
+  const choice::Problem& problem = result.problem;
+  return cost_figure(
+      {chart_of(result, cost, choice::ErrorKind::absolute), chart_of(result, cost, choice::ErrorKind::relative)},
+      problem.name + suffix, problem.doc + ": " + place,
+      "Cost of one value against the largest error found at " + std::to_string(result.samples) +
+          " inputs over the whole domain.");
+}
+
 } // namespace
 
 std::string_view kind_word(choice::Kind kind) {
@@ -64,17 +74,12 @@ std::string_view kind_word(choice::Kind kind) {
   return {};
 }
 
-Figure pareto_figure(const choice::ProblemResult& result, choice::CostKind cost, const choice::MachineRecord& machine) {
-  const choice::Problem& problem = result.problem;
-  const bool counted = cost == choice::CostKind::counted;
-  const std::string place =
-      counted ? "estimated cost" : machine.processor + ", " + machine.compiler + ", " + machine.date;
-  Figure figure = cost_figure(
-      {chart_of(result, cost, choice::ErrorKind::absolute), chart_of(result, cost, choice::ErrorKind::relative)},
-      problem.name + (counted ? "_cost" : "_time"), problem.doc + ": " + place,
-      "Cost of one value against the largest error found at " + std::to_string(result.samples) +
-          " inputs over the whole domain.");
-  return figure;
+Figure pareto_figure(const choice::ProblemResult& result) {
+  return figure_of(result, choice::CostKind::counted, "_cost", "estimated cost");
+}
+
+Figure pareto_figure(const choice::ProblemResult& result, const choice::MachineRecord& machine) {
+  return figure_of(result, choice::CostKind::measured, "_time", machine.text());
 }
 
 } // namespace brdfplot::plot

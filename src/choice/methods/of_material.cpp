@@ -124,7 +124,7 @@ void add_quadrature(Problem& p, double tolerance, const std::function<Estimate(d
     const double exact = p.exact(std::array{theta}).high;
     if (std::fabs(found.value - exact) <= found.error + p.exact_error * std::fabs(exact)) ++honest;
   }
-  method.note = "its estimate bounds its error in " + std::to_string(honest) + " of " + std::to_string(directions) +
+  method.note = "the estimate bounds the error in " + std::to_string(honest) + " of " + std::to_string(directions) +
                 " directions";
   p.methods.push_back(std::move(method));
 }

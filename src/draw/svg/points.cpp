@@ -96,7 +96,7 @@ private:
   /// The box of the name whose nearest edge is `distance` beyond the dot; the first direction is to the right.
   static Box box_at(const NamedPoint& point, double distance, double angle) {
     const double width = text_width(point.name, name_size) + 2;
-    const double reach = point_radius + 2 + distance;
+    const double reach = point_radius + 2.5 + distance;
     const double x = point.at.x + reach * std::cos(angle), y = point.at.y - reach * std::sin(angle);
     return {x - width / 2 + width / 2 * std::cos(angle), y - name_height / 2 - name_height / 2 * std::sin(angle), width,
             name_height};
@@ -108,7 +108,7 @@ private:
       return false;
     const Point end = nearest_in(box, point.at);
     return std::ranges::none_of(points_, [&](const NamedPoint& other) {
-      if (&other != &point && box.touches(dot_box(other), 1)) return true;
+      if (box.touches(dot_box(other), 1)) return true;
       if (!other.place) return false;
       if (box.touches(*other.place, 1) || crosses(point.at, end, *other.place)) return true;
       return crosses(other.at, nearest_in(*other.place, other.at), box);
