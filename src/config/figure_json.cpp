@@ -2,10 +2,12 @@
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "config/figure_count.hpp"
+#include "config/figure_numbers.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
 #include "config/figure_sphere.hpp"
 #include "config/load.hpp"
+#include "config/quick_figure.hpp"
 #include "config/shapes.hpp"
 #include "figure/series/simulated.hpp"
 
@@ -54,6 +56,7 @@ public:
         out.panels.push_back(panel(root["panels"][k], pointer, inner));
       });
     }
+    out.numbers = read_numbers(file_, out);
     return out;
   }
 
@@ -171,6 +174,7 @@ private:
     enter(scope, object, pointer);
     plot::PanelDescription out;
     out.title = substituted(object.value("title", ""), scope.words);
+    out.drawn = object.value("drawn", true);
     check_content(object, pointer);
     if (kind_ == plot::Kind::profile) return profile(object, pointer, std::move(out));
     if (kind_ == plot::Kind::spheres) return sphere(object, pointer, scope, std::move(out));
@@ -290,12 +294,27 @@ private:
 
 } // namespace
 
-FigureFile load_figure(const std::string& path) {
-  const JsonFile file(path);
+namespace {
+
+plot::FigureDescription read_figure(const JsonFile& file) {
   static const ShapePtr shape = figure_shape();
   file.check(*shape);
   check_count(file);
-  return {Reader(file).figure(), file.text()};
+  return Reader(file).figure();
+}
+
+} // namespace
+
+FigureFile load_figure(const std::string& path) {
+  const JsonFile file(path);
+  const Json& root = file.root();
+  if (root.is_object() && !root.contains("panels") && (root.contains("distribution") || root.contains("terms")))
+    file.fail("", "found a material, accepted: a figure; -q QUANTITY draws a material");
+  return {read_figure(file), file.text()};
+}
+
+plot::FigureDescription load_quick_figure(const QuickFigure& figure) {
+  return read_figure(JsonFile("plot", quick_figure(figure, ".")));
 }
 
 } // namespace brdfplot::config

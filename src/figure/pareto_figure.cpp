@@ -39,8 +39,8 @@ CostChart chart_of(const choice::ProblemResult& result, choice::CostKind cost, c
                                                                           : result.problem.cost_unit),
                  .column = "cost"}
           : Axis{.label = "least time of a value, in ns", .column = "ns"};
-  chart.error = relative ? Axis{.label = "largest relative error", .column = "relative_error"}
-                         : Axis{.label = "largest error of " + of, .column = "absolute_error"};
+  chart.title = relative ? "Relative error" : "Error of " + of;
+  chart.error = {.label = relative ? "largest relative error" : "largest error of " + of, .column = "error"};
   for (std::size_t k = 0; k < result.methods.size(); ++k) {
     const choice::Method& method = result.methods[k].method;
     if (cost == choice::CostKind::counted && !method.portable) continue;
