@@ -13,6 +13,7 @@ Problem brdf_ggx();
 Problem fresnel_conductor();
 Problem fresnel_dielectric();
 Problem g2();
+Problem g2_directions();
 Problem lambda_beckmann();
 Problem lambda_ggx();
 Problem lambda_sheen();
@@ -25,6 +26,7 @@ inline constexpr std::array problem_list = {
     &lambda_sheen,       //
     &lambda_student_t,   //
     &g2,                 //
+    &g2_directions,      //
     &fresnel_dielectric, //
     &fresnel_conductor,  //
     &brdf_ggx,           //
