@@ -30,7 +30,7 @@ struct CostChart {
 };
 
 /// A panel for each chart, below each other: the front as a staircase, the points on it and the others as dots with
-/// their names.
+/// their names. Points of a group that lie on each other are one dot.
 Figure cost_figure(const std::vector<CostChart>& charts, const std::string& id, const std::string& title,
                    const std::string& description);
 

@@ -210,7 +210,7 @@ Problem albedo_problem(const std::string& name, const std::string& doc, Scale90 
             .most = 1,
             .seen = {},
             .exact_error = 1e-9,
-            .samples = 800};
+            .samples = 400};
   const std::vector<std::array<double, 2>> examples = {{0.3, 0.5}};
   add_formula(p, "materialx", "a rational in cos and alpha", "MaterialX 1.39, mx_ggx_dir_albedo_analytic",
               Kind::approximation, MaterialXAlbedo{scale}, examples);
