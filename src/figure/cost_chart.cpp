@@ -104,8 +104,7 @@ std::vector<CostPoint> distinct(const std::vector<CostPoint>& points) {
     if (!is_shown(point)) continue;
     const auto here = std::ranges::find_if(heaps, [&](const Heap& heap) {
       const CostPoint& p = heap.point;
-      return p.group == point.group && p.on_front == point.on_front &&
-             std::max(p.cost, point.cost) <= as_one * std::min(p.cost, point.cost) &&
+      return p.group == point.group && std::max(p.cost, point.cost) <= as_one * std::min(p.cost, point.cost) &&
              std::max(p.error, point.error) <= as_one * std::min(p.error, point.error);
     });
     if (here == heaps.end()) {
@@ -114,6 +113,7 @@ std::vector<CostPoint> distinct(const std::vector<CostPoint>& points) {
     }
     ++here->count;
     here->last = point.name;
+    here->point.on_front = here->point.on_front || point.on_front;
   }
   std::vector<CostPoint> out;
   for (Heap& heap : heaps) {

@@ -210,7 +210,7 @@ Problem integral_problem(const MaterialDescription& description, const SharedMat
     return compute(integral, *material, direction_at(theta), tolerance);
   };
   Problem p{.name = name,
-            .doc = name + " of " + description.name,
+            .doc = (integral == Integral::albedo ? "Albedo of " : "Furnace test of ") + description.name,
             .source = "the quadrature of this program at its finest, a tolerance of 1e-10",
             .inputs = {polar_angle()},
             .exact =

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/interrupt.hpp"
 #include "draw/svg/plan.hpp"
 
 namespace brdfplot::plot {
@@ -137,13 +138,33 @@ private:
   std::vector<std::vector<Point>> lines_;
 };
 
+/// One name after the other; those that find no room go first the next time.
+void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
+  constexpr int most_rounds = 6;
+  std::vector<NamedPoint> best;
+  std::size_t least_left = points.size() + 1;
+  for (int round = 0; round < most_rounds && least_left > 0; ++round) {
+    throw_if_interrupted();
+    for (auto& point : points) point.place.reset();
+    const NamePlacer placer(plan, points);
+    for (auto& point : points)
+      if (!point.name.empty()) placer.place(point);
+    const auto has_no_room = [](const NamedPoint& point) { return !point.place && !point.name.empty(); };
+    const auto left = static_cast<std::size_t>(std::ranges::count_if(points, has_no_room));
+    if (left < least_left) {
+      least_left = left;
+      best = points;
+    }
+    std::stable_partition(points.begin(), points.end(), has_no_room);
+  }
+  points = std::move(best);
+}
+
 } // namespace
 
 void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
   std::vector<NamedPoint> points = named_points(plan);
-  const NamePlacer placer(plan, points);
-  for (auto& point : points)
-    if (!point.name.empty()) placer.place(point);
+  place_names(plan, points);
   PathData leaders;
   for (const auto& point : points) {
     if (!point.place) continue;
