@@ -37,6 +37,12 @@ bool crosses(Point a, Point b, const Box& box) {
   return false;
 }
 
+/// Whether two segments have an inner point in common.
+bool cross(Point a, Point b, Point c, Point d) {
+  const auto side = [](Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
 /// The point of a box nearest to another.
 Point nearest_in(const Box& box, Point p) {
   return {std::clamp(p.x, box.x, box.right()), std::clamp(p.y, box.y, box.bottom())};
@@ -112,7 +118,8 @@ private:
       if (box.touches(dot_box(other), 1)) return true;
       if (!other.place) return false;
       if (box.touches(*other.place, 1) || crosses(point.at, end, *other.place)) return true;
-      return crosses(other.at, nearest_in(*other.place, other.at), box);
+      const Point other_end = nearest_in(*other.place, other.at);
+      return crosses(other.at, other_end, box) || cross(point.at, end, other.at, other_end);
     });
   }
 
