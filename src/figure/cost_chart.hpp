@@ -17,8 +17,8 @@ struct CostPoint {
   double cost = 0;
   double error = 0;
   bool on_front = false;
-  double cost_to = 0;  ///< above `cost`: how far a measured cost spreads, drawn as a line to there
   std::string group{}; ///< points of a group share a colour, and an entry of the legend; in the order they come in
+  double cost_to = 0;  ///< above `cost`: how far a measured cost spreads, drawn as a line to there
 };
 
 /// One panel.
