@@ -145,6 +145,20 @@ private:
   std::vector<std::vector<Point>> lines_;
 };
 
+/// The dot; a name that has no room beside it is told where a pointer rests on it.
+void draw_dot(SvgWriter& svg, const NamedPoint& point) {
+  PathData dot;
+  dot.dot(point.at, point_radius);
+  const bool hidden = !point.place && !point.name.empty();
+  if (hidden) {
+    std::string title = "<g><title>";
+    append_escaped(title, strip_markup(point.name));
+    svg.raw(title + "</title>\n");
+  }
+  svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
+  if (hidden) svg.close_group();
+}
+
 /// One name after the other; those that find no room go first the next time.
 void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
   constexpr int most_rounds = 6;
@@ -181,11 +195,7 @@ void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
     leaders.line(end);
   }
   if (!leaders.empty()) svg.path(leaders, {"bp-no bp-frame", 0.7, {}, {}});
-  for (const auto& point : points) {
-    PathData dot;
-    dot.dot(point.at, point_radius);
-    svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
-  }
+  for (const auto& point : points) draw_dot(svg, point);
   for (const auto& point : points)
     if (point.place)
       svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start,
