@@ -54,7 +54,7 @@ struct NewtonSlope {
 /// is.
 Exact exact_slope(std::span<const double> in) {
   const Real theta = in[0], u = in[1], c = cos(theta), s = sin(theta);
-  const Real root_pi = boost::math::constants::root_pi<Real>();
+  const Real& root_pi = boost::math::constants::root_pi<Real>();
   const auto above = [&](const Real& x) { return Real(c * root_pi * boost::math::erfc(x) + s * exp(Real(-x * x))); };
   const Real wanted = (1 - u) * above(Real(-c / s));
   Real x = visible_gaussian(std::cos(in[0]), std::sin(in[0]), in[1]);
