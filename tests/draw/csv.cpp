@@ -55,8 +55,14 @@ TEST_CASE("CSV: a column for each variable that panels sweep, and panels that ar
   first.x.column = "theta_o";
   second.x.column = "alpha";
   first.y.column = second.y.column = "value";
-  first.series = {{"a", {1}, {2}}};
-  second.series = {{"b", {3}, {4}}};
+  first.series.resize(1);
+  first.series[0].label = "a";
+  first.series[0].x = {1};
+  first.series[0].y = {2};
+  second.series = first.series;
+  second.series[0].label = "b";
+  second.series[0].x = {3};
+  second.series[0].y = {4};
   second.drawn = false;
   second.title = "hidden";
   figure.panels = {first, second};
