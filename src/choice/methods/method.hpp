@@ -54,10 +54,13 @@ struct Method {
   std::string source; ///< author, year, equation
   Kind kind = Kind::printed;
   std::variant<Run<double>, Run<float>>
-      run;                              ///< for float, the inputs are rounded to float before they are anything else
-  std::optional<Operations> operations; ///< the most of any input that was counted; none where it cannot be counted
-  std::size_t bytes = 0;                ///< of tables
-  double bound = 0;                     ///< the relative error that it states over the whole domain; 0: none
+      run;                                ///< for float, the inputs are rounded to float before they are anything else
+  std::optional<Operations> operations{}; ///< the most of any input that was counted; none where it cannot be counted
+  std::size_t bytes = 0;                  ///< of tables
+  double bound = 0;                       ///< the relative error that it states over the whole domain; 0: none
+  /// The absolute error that it states of its value at a row of inputs, as a quadrature does that judges itself. Empty:
+  /// none.
+  std::function<double(std::span<const double> input)> stated_error{};
 
   bool is_single() const { return std::holds_alternative<Run<float>>(run); }
 };
@@ -68,14 +71,16 @@ struct Problem {
   std::string source;
   std::vector<Input> inputs;
   std::function<Exact(std::span<const double> input)> exact;
-  std::vector<Method> methods;
+  std::vector<Method> methods{};
 
   // What is true of the exact function.
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
-  std::vector<int> monotone; ///< for each input: 1 grows with it, -1 falls, 0 neither; empty: neither in all
+  std::vector<int> monotone{}; ///< for each input: 1 grows with it, -1 falls, 0 neither; empty: neither in all
   /// What of a value is seen, where its relative error is not what matters: G1 = 1 / (1 + Lambda) of a Lambda. Empty:
   /// the value itself.
-  std::function<double(double)> seen;
+  std::function<double(double)> seen{};
+  bool albedo = false; ///< a share of the light: more than 1 is energy out of nothing
+  bool slow = false;   ///< a row takes a millisecond or more: searches take fewer
 };
 
 /// A method in double or float, and its operations, of one formula for any number type: `formula(x)` with x an array of
@@ -84,7 +89,7 @@ struct Problem {
 template <class T, std::size_t inputs, class F>
 Method method_of(std::string name, std::string doc, std::string source, Kind kind, F formula,
                  const std::vector<std::array<double, inputs>>& examples) {
-  Method method{std::move(name), std::move(doc), std::move(source), kind, {}, {}, 0, 0};
+  Method method{std::move(name), std::move(doc), std::move(source), kind, {}, {}, 0, 0, {}};
   method.run = Run<T>([formula](std::size_t n, const T* const* in, T* out) {
     std::array<T, inputs> x{};
     for (std::size_t i = 0; i < n; ++i) {

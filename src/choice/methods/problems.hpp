@@ -6,9 +6,10 @@
 
 namespace brdfplot::choice {
 
+Problem d_ggx();
 Problem lambda_ggx();
 
 /// Each makes a problem.
-inline constexpr std::array problem_list = {&lambda_ggx};
+inline constexpr std::array problem_list = {&lambda_ggx, &d_ggx};
 
 } // namespace brdfplot::choice

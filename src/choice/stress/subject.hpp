@@ -1,0 +1,63 @@
+/// \file
+/// A method under test, and what it gives at rows of inputs.
+#pragma once
+
+#include "choice/methods/method.hpp"
+
+#include <cstdint>
+
+namespace brdfplot::choice {
+
+/// A value for each input of a problem.
+using Row = std::vector<double>;
+
+/// What a method gives at a row.
+struct Trial {
+  Row input;
+  double value = 0;
+  Exact exact; ///< of the same row, whose inputs are numbers of the method's type: their rounding costs nothing
+  double wrong_way = 0; ///< the largest step of the seen value, relative, against the order of the exact function
+  double stated = std::numeric_limits<double>::infinity(); ///< the error that the method states here
+};
+
+class Subject {
+public:
+  Subject(const Problem& of, const Method& by) : problem_(&of), method_(&by) {}
+
+  const Problem& problem() const { return *problem_; }
+  const Method& method() const { return *method_; }
+
+  double epsilon() const { return method_->is_single() ? 0x1p-23 : 0x1p-52; }
+  double largest() const;
+  /// What is seen of a value (Problem::seen).
+  double seen(double value) const { return problem_->seen ? problem_->seen(value) : value; }
+  /// |value - exact| relative to the latter; below the smallest normal number of the type, where there are no digits to
+  /// lose, in units of that.
+  double error(const Trial& trial) const;
+  /// The same of what is seen.
+  double seen_error(const Trial& trial) const;
+
+  /// The nearest row of numbers of the method's type inside the domain.
+  Row rounded(Row row) const;
+  /// The number that lies `steps` numbers of the method's type above, in the domain.
+  double stepped(std::size_t input, double from, std::int64_t steps) const;
+  /// The place of a number of the method's type in their order.
+  std::int64_t place(double x) const;
+
+  std::vector<double> values(const std::vector<Row>& rows) const;
+  /// \pre rounded rows; `exact` of each
+  std::vector<Trial> trials(const std::vector<Row>& rows, const std::vector<Exact>& exact) const;
+  Trial trial(const Row& row) const;
+
+private:
+  void compare_with_neighbours(std::vector<Trial>& trials) const;
+  void state_errors(std::vector<Trial>& trials) const;
+
+  const Problem* problem_;
+  const Method* method_;
+};
+
+/// The exact values of rows.
+std::vector<Exact> exact_values(const Problem& problem, const std::vector<Row>& rows);
+
+} // namespace brdfplot::choice
