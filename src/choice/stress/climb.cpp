@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
 namespace brdfplot::choice {
 
@@ -20,17 +21,22 @@ bool improve(const Subject& subject, const FailureKind& kind, const Row& row, Tr
   return true;
 }
 
-/// Numbers of one significant digit of a range, those near 1 first, and its ends.
-std::vector<double> one_digit_numbers(const Input& input) {
+/// "3e-5" as a number.
+double decimal(const std::string& digits, int power) {
+  return std::strtod((digits + "e" + std::to_string(power)).c_str(), nullptr);
+}
+
+/// The simple numbers of a range: 1, 0, those of one significant digit, those near 1 first, powers of ten, its ends.
+/// Where rows are slow, fewer.
+std::vector<double> simple_numbers_of(const Input& input, bool slow) {
   std::vector<double> all = {1.0, 0.0};
-  for (int power = 0; power <= 16; ++power)
-    for (const int sign : {1, -1}) {
-      if (power == 0 && sign < 0) continue;
-      for (int digit = 1; digit <= 9; ++digit)
-        for (const double of : {1.0, -1.0})
-          all.push_back(of *
-                        std::strtod((std::to_string(digit) + "e" + std::to_string(sign * power)).c_str(), nullptr));
-    }
+  const int most = slow ? 3 : 16;
+  for (int power = 0; power <= most; ++power)
+    for (const int signed_power : {power, -power})
+      for (const char digit : std::string("123456789"))
+        for (const double sign : {1.0, -1.0}) all.push_back(sign * decimal(std::string(1, digit), signed_power));
+  for (int power = most + 1; !slow && power <= 323; ++power)
+    all.insert(all.end(), {decimal("1", -power), decimal("1", power)});
   all.insert(all.end(), {input.low, input.high});
   std::erase_if(all, [&](double x) { return x < input.low || x > input.high; });
   return all;
@@ -38,35 +44,44 @@ std::vector<double> one_digit_numbers(const Input& input) {
 
 /// x with so many significant digits, rounded to the nearest, up and down.
 std::vector<double> with_digits(double x, int digits) {
-  if (x == 0 || !std::isfinite(x)) return {x};
+  if (x == 0 || !std::isfinite(x)) return {};
   const int power = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
-  const double scaled = std::fabs(power) > 290 ? x : x * std::pow(10.0, power);
+  if (std::abs(power) > 300) return {}; // the power of ten would be no number
+  const double scaled = x * std::pow(10.0, power);
   std::vector<double> all;
   for (const double whole : {std::round(scaled), std::floor(scaled), std::ceil(scaled)})
-    all.push_back(std::strtod((std::to_string(whole) + "e" + std::to_string(-power)).c_str(), nullptr));
+    all.push_back(decimal(std::to_string(static_cast<std::int64_t>(whole)), -power));
   return all;
 }
 
+/// What a simpler row has to show.
+struct Wanted {
+  const FailureKind& kind;
+  double least;
+  bool holds(const Subject& subject, const Trial& trial) const {
+    return kind.shown_by(subject, trial) && kind.how_bad(subject, trial) >= least;
+  }
+};
+
 /// Takes the first of the numbers for input k that still shows the failure.
-bool take_first(const Subject& subject, const FailureKind& kind, std::size_t k, const std::vector<double>& numbers,
+bool take_first(const Subject& subject, const Wanted& wanted, std::size_t k, const std::vector<double>& numbers,
                 Trial& best) {
   for (const double x : numbers) {
     Row row = best.input;
     row[k] = x;
-    row = subject.rounded(row);
-    Trial trial = subject.trial(row);
-    if (!kind.shown_by(subject, trial)) continue;
+    Trial trial = subject.trial(subject.rounded(row));
+    if (!wanted.holds(subject, trial)) continue;
     best = std::move(trial);
     return true;
   }
   return false;
 }
 
-void simplify_input(const Subject& subject, const FailureKind& kind, std::size_t k, Trial& best) {
-  const Input& input = subject.problem().inputs[k];
-  if (take_first(subject, kind, k, one_digit_numbers(input), best)) return;
-  for (int digits = 2; digits <= 16; ++digits)
-    if (take_first(subject, kind, k, with_digits(best.input[k], digits), best)) return;
+void simplify_input(const Subject& subject, const Wanted& wanted, std::size_t k, Trial& best) {
+  const Problem& problem = subject.problem();
+  if (take_first(subject, wanted, k, simple_numbers_of(problem.inputs[k], problem.slow), best)) return;
+  for (int digits = 1; digits <= 16; ++digits)
+    if (take_first(subject, wanted, k, with_digits(best.input[k], digits), best)) return;
 }
 
 } // namespace
@@ -96,8 +111,10 @@ Trial climbed(const Subject& subject, const FailureKind& kind, Trial best) {
   return best;
 }
 
-Trial simplified(const Subject& subject, const FailureKind& kind, Trial best) {
-  for (std::size_t k = 0; k < subject.problem().inputs.size(); ++k) simplify_input(subject, kind, k, best);
+Trial simplified(const Subject& subject, const FailureKind& kind, Trial best, double least) {
+  const Wanted wanted{kind, least};
+  if (!wanted.holds(subject, best)) return best;
+  for (std::size_t k = 0; k < subject.problem().inputs.size(); ++k) simplify_input(subject, wanted, k, best);
   return best;
 }
 

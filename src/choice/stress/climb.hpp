@@ -11,8 +11,8 @@ namespace brdfplot::choice {
 /// gets worse. What it finds is a lower bound of the worst.
 Trial climbed(const Subject& subject, const FailureKind& kind, Trial from);
 
-/// The simplest row that still shows the failure: one input after the other becomes an end of its range, 1, 0, or the
-/// number of the fewest significant digits, those near 1 first.
-Trial simplified(const Subject& subject, const FailureKind& kind, Trial from);
+/// The simplest row that still shows the failure, and at least as badly as `least`: one input after the other becomes
+/// 1, 0, or a number of few significant digits, those near 1 first, or an end of its range.
+Trial simplified(const Subject& subject, const FailureKind& kind, Trial from, double least);
 
 } // namespace brdfplot::choice

@@ -43,8 +43,8 @@ std::string block_of(const MethodReport& report) {
     out += "  " + padded_to(std::string(finding.kind->name), 19) + padded_to(short_text(finding.worst), 10) + "at " +
            row_text(finding.inputs, finding.worst_at, finding.single) + ": " + short_text(finding.value) +
            (finding.has_exact ? " for " + short_text(finding.exact) : "") + "\n";
-    out += std::string(21, ' ') + "first seen at " + row_text(finding.inputs, finding.simplest, finding.single) +
-           "; at " + region_text(finding) + "\n";
+    out += std::string(21, ' ') + "simplest " + row_text(finding.inputs, finding.simplest, finding.single) + "; at " +
+           region_text(finding) + "\n";
   }
   return out + "  mend: " + report.findings.front().mend + "\n";
 }

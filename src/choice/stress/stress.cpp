@@ -43,6 +43,7 @@ std::optional<Trial> worst_of(const Subject& subject, const FailureKind& kind, c
   std::optional<Trial> worst;
   for (const std::size_t row : worst_rows(subject, kind, trials)) {
     Trial top = climbed(subject, kind, trials[row]);
+    top = simplified(subject, kind, top, kind.how_bad(subject, top));
     if (!worst || kind.how_bad(subject, top) > kind.how_bad(subject, *worst)) worst = std::move(top);
   }
   return worst;
@@ -73,7 +74,7 @@ Finding finding_of(const Subject& subject, const FailureKind& kind, const std::v
       ++finding.rows;
     }
   if (finding.rows == 0) extend(finding, worst.input);
-  finding.simplest = simplified(subject, kind, worst).input;
+  finding.simplest = simplified(subject, kind, worst, 0).input;
   return finding;
 }
 
@@ -99,8 +100,8 @@ int rank(const Method& method, bool single) {
   const int by_type = method.is_single() == single ? 0 : 1;
   switch (method.kind) {
   case Kind::rewritten: return by_type;
-  case Kind::kernel: return 2 + by_type;
-  case Kind::printed: return 4 + by_type;
+  case Kind::printed: return 2 + by_type;
+  case Kind::kernel: return 4 + by_type;
   case Kind::quadrature: return 6 + by_type;
   default: return 100; // another function
   }

@@ -52,7 +52,7 @@ double Subject::largest() const {
 }
 
 double Subject::error(const Trial& trial) const {
-  const double smallest = method_->is_single() ? static_cast<double>(std::numeric_limits<float>::min()) : 0;
+  const double smallest = method_->is_single() ? 0x1p-63 : 0x1p-511;
   const double difference = (trial.value - trial.exact.high) - trial.exact.low;
   return relative(difference, std::max(std::fabs(trial.exact.high), smallest));
 }

@@ -31,8 +31,8 @@ public:
   double largest() const;
   /// What is seen of a value (Problem::seen).
   double seen(double value) const { return problem_->seen ? problem_->seen(value) : value; }
-  /// |value - exact| relative to the latter; below the smallest normal number of the type, where there are no digits to
-  /// lose, in units of that.
+  /// |value - exact| relative to the latter, or to the root of the smallest normal number of the type where that is
+  /// more: 2^-511, in float 2^-63. What is below half of the exponents is as good as 0.
   double error(const Trial& trial) const;
   /// The same of what is seen.
   double seen_error(const Trial& trial) const;
