@@ -41,6 +41,12 @@ bool has_errors(const Figure& figure) {
   });
 }
 
+bool has_names(const Figure& figure) {
+  return std::ranges::any_of(figure.panels, [](const Panel& panel) {
+    return std::ranges::any_of(panel.series, [](const Series& series) { return !series.names.empty(); });
+  });
+}
+
 void append_header(std::string& out, const Figure& figure) {
   const Panel none;
   const Panel& panel = figure.panels.empty() ? none : figure.panels.front();
@@ -58,11 +64,12 @@ void append_header(std::string& out, const Figure& figure) {
     column(panel.x.column, "x");
     column(panel.y.column, "y");
     if (has_errors(figure)) column((panel.y.column.empty() ? "y" : panel.y.column) + "_stderr", "");
+    if (has_names(figure)) column("name", "");
   }
   out += '\n';
 }
 
-void append_series(std::string& out, const Panel& panel, bool errors) {
+void append_series(std::string& out, const Panel& panel, bool errors, bool names) {
   const bool profile = panel.sketch.has_value();
   const auto title = field(panel.title);
   for (const auto& series : panel.series) {
@@ -75,17 +82,20 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
       if (!profile || !std::isnan(series.y[i])) append_number(out, series.y[i]);
       if (errors) out += ',';
       if (i < series.error.size()) append_number(out, series.error[i]);
+      if (names) out += ',';
+      if (i < series.names.size()) append_field(out, series.names[i]);
       out += '\n';
     }
   }
 }
 
-void append_notes(std::string& out, const Panel& panel, bool errors) {
+void append_notes(std::string& out, const Panel& panel, bool errors, bool names) {
   for (const Note& note : panel.notes) {
     out += field(panel.title) + "," + field(note.label) + ",,";
     append_number(out, note.value);
     if (errors) out += ',';
     if (errors) append_number(out, note.error);
+    if (names) out += ',';
     out += '\n';
   }
 }
@@ -121,11 +131,11 @@ std::string to_csv(const Figure& figure) {
   std::string out;
   out.reserve(estimate(figure));
   append_header(out, figure);
-  const bool errors = has_errors(figure);
+  const bool errors = has_errors(figure), names = has_names(figure);
   for (const auto& panel : figure.panels) {
     if (figure.kind != Kind::heatmap) {
-      append_series(out, panel, errors);
-      append_notes(out, panel, errors);
+      append_series(out, panel, errors, names);
+      append_notes(out, panel, errors, names);
     } else if (panel.grid) {
       append_grid(out, field(panel.title), *panel.grid);
     }

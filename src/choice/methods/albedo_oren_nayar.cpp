@@ -56,7 +56,8 @@ Problem albedo_oren_nayar() {
             .exact = exact_oren_nayar_albedo,
             .least = 0,
             .albedo = true,
-            .slow = true};
+            .exact_error = 1e-12,
+            .samples = 100};
   p.methods.push_back({.name = "full",
                        .doc = "the fit with the light that is reflected twice, integrated",
                        .source = "Oren and Nayar 1994, Eq. 30",

@@ -31,6 +31,8 @@ struct Input {
   std::string doc;
   double low = 0, high = 1; ///< the whole domain, both ends included
   Scale scale = Scale::linear;
+  /// Where it mostly is, which is where times are taken; none: all of the domain.
+  std::optional<std::array<double, 2>> usual{};
 };
 
 /// A method over arrays: inputs[k][i] is input k of row i.
@@ -61,6 +63,7 @@ struct Method {
   /// The absolute error that it states of its value at a row of inputs, as a quadrature does that judges itself. Empty:
   /// none.
   std::function<double(std::span<const double> input)> stated_error{};
+  bool portable = true; ///< the same on every machine; not so a kernel of an instruction set that some have
 
   bool is_single() const { return std::holds_alternative<Run<float>>(run); }
 };
@@ -79,8 +82,12 @@ struct Problem {
   /// What of a value is seen, where its relative error is not what matters: G1 = 1 / (1 + Lambda) of a Lambda. Empty:
   /// the value itself.
   std::function<double(double)> seen{};
-  bool albedo = false; ///< a share of the light: more than 1 is energy out of nothing
-  bool slow = false;   ///< a row takes a millisecond or more: searches take fewer
+  std::string seen_as{}; ///< its name: "G1"
+  bool albedo = false;   ///< a share of the light: more than 1 is energy out of nothing
+
+  // How exact values are asked for.
+  double exact_error = 0;     ///< a bound of the relative error of `exact`, where it is not that of 32 digits
+  std::size_t samples = 4096; ///< how many may be asked for within a second
 };
 
 /// A method in double or float, and its operations, of one formula for any number type: `formula(x)` with x an array of
@@ -89,7 +96,12 @@ struct Problem {
 template <class T, std::size_t inputs, class F>
 Method method_of(std::string name, std::string doc, std::string source, Kind kind, F formula,
                  const std::vector<std::array<double, inputs>>& examples) {
-  Method method{std::move(name), std::move(doc), std::move(source), kind, {}, {}, 0, 0, {}};
+  Method method{.name = std::move(name),
+                .doc = std::move(doc),
+                .source = std::move(source),
+                .kind = kind,
+                .run = {},
+                .operations = {}};
   method.run = Run<T>([formula](std::size_t n, const T* const* in, T* out) {
     std::array<T, inputs> x{};
     for (std::size_t i = 0; i < n; ++i) {

@@ -13,13 +13,14 @@ Problem d_beckmann();
 Problem d_ggx();
 Problem d_gtr();
 Problem half_vector();
+Problem lambda_beckmann();
 Problem lambda_ggx();
 Problem narrow_peak();
 Problem weak_furnace();
 
 /// Each makes a problem.
 inline constexpr std::array problem_list = {
-    &albedo_oren_nayar, &alpha_o,    &angle_from_cosine, &d_beckmann,  &d_ggx, &d_gtr,
-    &half_vector,       &lambda_ggx, &narrow_peak,       &weak_furnace};
+    &albedo_oren_nayar, &alpha_o,         &angle_from_cosine, &d_beckmann,  &d_ggx,       &d_gtr,
+    &half_vector,       &lambda_beckmann, &lambda_ggx,        &narrow_peak, &weak_furnace};
 
 } // namespace brdfplot::choice

@@ -79,7 +79,7 @@ bool take_first(const Subject& subject, const Wanted& wanted, std::size_t k, con
 
 void simplify_input(const Subject& subject, const Wanted& wanted, std::size_t k, Trial& best) {
   const Problem& problem = subject.problem();
-  if (take_first(subject, wanted, k, simple_numbers_of(problem.inputs[k], problem.slow), best)) return;
+  if (take_first(subject, wanted, k, simple_numbers_of(problem.inputs[k], is_slow(problem)), best)) return;
   for (int digits = 1; digits <= 16; ++digits)
     if (take_first(subject, wanted, k, with_digits(best.input[k], digits), best)) return;
 }
@@ -88,7 +88,7 @@ void simplify_input(const Subject& subject, const Wanted& wanted, std::size_t k,
 
 Trial climbed(const Subject& subject, const FailureKind& kind, Trial best) {
   const auto& inputs = subject.problem().inputs;
-  const int most = subject.problem().slow ? 40 : 600;
+  const int most = is_slow(subject.problem()) ? 40 : 600;
   int tried = 0;
   for (int part = 3; part < 64; ++part) {
     bool moves = true;

@@ -55,7 +55,7 @@ double bound_missed(const Subject& subject, const Trial& trial) {
   return is_inexact_by_nature(subject.method().kind) ? subject.seen_error(trial) : subject.error(trial);
 }
 
-double stated_bound(const Subject& subject) { return subject.method().bound; }
+double stated_bound(const Subject& subject) { return subject.method().bound + 2 * subject.problem().exact_error; }
 
 double wrong_way(const Subject&, const Trial& trial) { return trial.wrong_way; }
 
@@ -82,8 +82,9 @@ double energy_above_one(const Subject& subject, const Trial& trial) {
 } // namespace
 
 double digits_limit(const Subject& subject) {
-  if (!is_inexact_by_nature(subject.method().kind)) return half_the_digits(subject);
-  return subject.method().bound > 0 ? subject.method().bound : 0.1;
+  const double of_exact = 10 * subject.problem().exact_error;
+  if (!is_inexact_by_nature(subject.method().kind)) return std::max(half_the_digits(subject), of_exact);
+  return std::max(subject.method().bound > 0 ? subject.method().bound : 0.1, of_exact);
 }
 
 const std::vector<FailureKind>& failure_kinds() {

@@ -20,6 +20,9 @@ struct Trial {
   double stated = std::numeric_limits<double>::infinity(); ///< the error that the method states here
 };
 
+/// Whether searches take fewer rows.
+inline bool is_slow(const Problem& problem) { return problem.samples < 1000; }
+
 class Subject {
 public:
   Subject(const Problem& of, const Method& by) : problem_(&of), method_(&by) {}

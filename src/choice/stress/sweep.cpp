@@ -19,7 +19,7 @@ struct Size {
 Size size_of(const Problem& problem) {
   constexpr std::size_t per_axis[] = {0, 801, 41, 11, 7};
   const std::size_t inputs = std::min<std::size_t>(problem.inputs.size(), 4);
-  if (problem.slow) return {inputs == 1 ? 41U : inputs == 2 ? 9U : 5U, 100};
+  if (is_slow(problem)) return {inputs == 1 ? 41U : inputs == 2 ? 9U : 5U, 100};
   return {per_axis[inputs], inputs == 1 ? 1000U : 4000U};
 }
 
@@ -93,7 +93,7 @@ std::vector<Row> sweep(const Subject& subject) {
   add_grid(subject, size.grid, rows);
   std::vector<std::vector<double>> special;
   for (std::size_t k = 0; k < inputs; ++k) special.push_back(special_numbers(subject, k));
-  if (inputs == 1 && !subject.problem().slow)
+  if (inputs == 1 && !is_slow(subject.problem()))
     for (const double x : special[0]) rows.push_back({x});
   Random random(seed, subject.method().is_single() ? 1 : 0);
   for (std::size_t i = 0; i < size.random; ++i) {
