@@ -64,6 +64,8 @@ Json method_json(const choice::ProblemResult& result, std::size_t k) {
               {"format", m.method.is_single() ? "float" : "double"},
               {"portable", m.method.portable},
               {"bytes", m.method.bytes}};
+  if (m.method.evaluations > 0) out["evaluations"] = m.method.evaluations;
+  if (!m.method.note.empty()) out["note"] = m.method.note;
   out["operations"] = m.method.operations ? operations_json(*m.method.operations) : Json();
   out["cost"] = m.cost ? Json(*m.cost) : Json();
   out["errors"] = errors_json(result.problem, m.errors);
@@ -95,13 +97,11 @@ Json problem_json(const choice::ProblemResult& result) {
 
 } // namespace
 
-std::string pareto_record(const std::vector<choice::ProblemResult>& results, const choice::MachineRecord& machine,
-                          const std::string& version) {
-  Json out = {{"version", version},
-              {"processor", machine.processor},
-              {"compiler", machine.compiler},
-              {"date", machine.date},
-              {"problems", Json::array()}};
+std::string pareto_record(const std::vector<choice::ProblemResult>& results,
+                          const std::optional<choice::MachineRecord>& machine, const std::string& version) {
+  Json out = {{"version", version}, {"problems", Json::array()}};
+  if (machine)
+    out["machine"] = {{"processor", machine->processor}, {"compiler", machine->compiler}, {"date", machine->date}};
   for (const auto& result : results) out["problems"].push_back(problem_json(result));
   return out.dump(2) + "\n";
 }

@@ -83,7 +83,7 @@ void append_series(std::string& out, const Panel& panel, bool errors, bool names
       if (errors) out += ',';
       if (i < series.error.size()) append_number(out, series.error[i]);
       if (names) out += ',';
-      if (i < series.names.size()) append_field(out, series.names[i]);
+      if (i < series.names.size()) append_field(out, strip_markup(series.names[i]));
       out += '\n';
     }
   }

@@ -49,10 +49,22 @@ Series staircase(const std::vector<CostPoint>& points, const Axis& cost) {
   return series;
 }
 
+/// The name with its underscores and carets, which are no markup here.
+std::string literal(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    if (c == '_' || c == '^') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
 /// "not shown: a, b (error 0); c (no cost)"
 std::string words_of_hidden(const std::vector<CostPoint>& points) {
   std::string exact, infinite, costless;
-  const auto append = [](std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; };
+  const auto append = [](std::string& list, const std::string& name) {
+    list += (list.empty() ? "" : ", ") + literal(name);
+  };
   for (const auto& point : points) {
     if (is_shown(point)) continue;
     if (!(std::isfinite(point.cost) && point.cost > 0))
@@ -85,7 +97,7 @@ Series dots_of(const CostChart& chart, const std::string& group, bool on_front, 
     if (!is_shown(point) || point.group != group || point.on_front != on_front) continue;
     series.x.push_back(point.cost);
     series.y.push_back(point.error);
-    series.names.push_back(point.name);
+    series.names.push_back(literal(point.name));
   }
   return series;
 }
@@ -97,7 +109,7 @@ Panel panel_of(const CostChart& chart, const std::vector<std::string>& groups) {
   panel.y = chart.error;
   panel.x.scale = panel.y.scale = Scale::logarithmic;
   set_range(panel.x, chart.points, &CostPoint::cost, 1.1);
-  set_range(panel.y, chart.points, &CostPoint::error, 1.5);
+  set_range(panel.y, chart.points, &CostPoint::error, 3);
   panel.series.push_back(staircase(chart.points, panel.x));
   // Those on the front are named first: they get the places nearest to their dots.
   for (const bool on_front : {true, false})

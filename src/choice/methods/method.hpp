@@ -63,7 +63,9 @@ struct Method {
   /// The absolute error that it states of its value at a row of inputs, as a quadrature does that judges itself. Empty:
   /// none.
   std::function<double(std::span<const double> input)> stated_error{};
-  bool portable = true; ///< the same on every machine; not so a kernel of an instruction set that some have
+  double evaluations = 0; ///< of an integrand, the most that were seen: a quadrature's cost; 0: none
+  std::string note{};     ///< what else was found: whether its own estimate of its error holds
+  bool portable = true;   ///< the same on every machine; not so a kernel of an instruction set that some have
 
   bool is_single() const { return std::holds_alternative<Run<float>>(run); }
 };
@@ -84,6 +86,8 @@ struct Problem {
   std::function<double(double)> seen{};
   std::string seen_as{}; ///< its name: "G1"
   bool albedo = false;   ///< a share of the light: more than 1 is energy out of nothing
+
+  std::string cost_unit{}; ///< of costs where they are no operations: "evaluations of the integrand"
 
   // How exact values are asked for.
   double exact_error = 0;     ///< a bound of the relative error of `exact`, where it is not that of 32 digits

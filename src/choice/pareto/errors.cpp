@@ -70,7 +70,8 @@ void keep(Largest& largest, double error, double value, const Exact& exact, cons
   largest = {error, input, value, exact.high};
 }
 
-/// Climbs from the worst sample: along each input in turn, by steps that halve where none helps.
+/// Climbs from the worst sample: along each input in turn, by steps that halve where none helps, until the steps or the
+/// exact values that it may ask for are used up.
 class Climb {
 public:
   Climb(const Problem& problem, const Method& method, double first_step)
@@ -79,8 +80,10 @@ public:
   void from(Largest& largest, const Measure& measure) const {
     constexpr int halvings = 22;
     double step = first_step_;
-    for (int k = 0; k < halvings;) {
+    std::size_t asked = 0;
+    for (int k = 0; k < halvings && asked < problem_.samples / 4;) {
       throw_if_interrupted();
+      asked += 2 * problem_.inputs.size();
       if (!improve(largest, measure, step)) {
         step /= 2;
         ++k;

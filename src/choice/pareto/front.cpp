@@ -5,7 +5,7 @@
 
 namespace brdfplot::choice {
 
-Dominated dominated(std::span<const CostError> points) {
+Dominated dominated(std::span<const CostError> points, const Slack& slack) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k)
     if (std::isfinite(points[k].cost) && std::isfinite(points[k].error)) order.push_back(k);
@@ -14,15 +14,22 @@ Dominated dominated(std::span<const CostError> points) {
     return p.cost < q.cost || (!(q.cost < p.cost) && p.error < q.error);
   });
   Dominated result{std::vector<bool>(points.size()), std::vector<std::optional<std::size_t>>(points.size())};
-  std::optional<std::size_t> best;
-  for (const std::size_t k : order) {
-    if (!best || points[k].error < points[*best].error) {
-      result.on_front[k] = true;
-      best = k;
-    } else {
-      result.by[k] = best;
+  std::optional<std::size_t> last; // on the front
+  for (std::size_t first = 0; first < order.size(); ++first) {
+    const CostError& cheapest = points[order[first]];
+    if (last && !(cheapest.error * slack.error < points[*last].error)) {
+      result.by[order[first]] = last;
+      continue;
     }
+    std::size_t best = order[first];
+    for (std::size_t k = first; k < order.size() && points[order[k]].cost <= slack.cost * cheapest.cost; ++k)
+      if (points[order[k]].error < points[best].error) best = order[k];
+    result.on_front[best] = true;
+    last = best;
+    if (best != order[first]) result.by[order[first]] = best;
   }
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (result.on_front[k]) result.by[k].reset();
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace {
 ProblemResult without_errors(Problem problem) {
   ProblemResult result;
   for (auto& method : problem.methods) {
-    const auto cost = estimated_cost(method);
+    const auto cost = estimated_cost(problem, method);
     result.methods.push_back({.method = std::move(method), .cost = cost, .errors = {}, .time = {}});
   }
   problem.methods.clear();
@@ -48,15 +48,20 @@ void find_fronts(ProblemResult& result) {
       std::vector<CostError> points;
       for (std::size_t k = 0; k < result.methods.size(); ++k)
         points.push_back({result.cost_of(k, cost), result.error_of(k, error)});
-      result.fronts.push_back(dominated(points));
+      result.fronts.push_back(dominated(points, cost == CostKind::measured ? measured_slack : counted_slack));
     }
 }
 
 } // namespace
 
-std::optional<double> estimated_cost(const Method& method) {
+std::optional<double> estimated_cost(const Problem& problem, const Method& method) {
+  if (!problem.cost_unit.empty()) return method.evaluations > 0 ? std::optional(method.evaluations) : std::nullopt;
   if (!method.operations) return std::nullopt;
   return cost(*method.operations) * (method.is_single() ? 1 : 2);
+}
+
+bool ProblemResult::has_costs() const {
+  return std::ranges::any_of(methods, [](const MethodResult& m) { return m.cost.has_value(); });
 }
 
 double ProblemResult::cost_of(std::size_t k, CostKind kind) const {

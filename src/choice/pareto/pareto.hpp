@@ -13,8 +13,13 @@ enum class CostKind { counted, measured };
 enum class ErrorKind { relative, absolute };
 
 /// The estimated cost in multiply-adds of floats: cost() of the operations, twice that in double, of which a vector
-/// register holds half as many. Nothing where they are not counted.
-std::optional<double> estimated_cost(const Method& method);
+/// register holds half as many. Of a problem with a unit of its own, the evaluations. Nothing where they are not
+/// counted.
+std::optional<double> estimated_cost(const Problem& problem, const Method& method);
+
+/// What is not told apart: times within 10 %, since the least of some repeats within 0.3 to 8 %; and errors within 25
+/// %, since the largest of roundings is chance.
+inline constexpr Slack counted_slack{.cost = 1, .error = 1.25}, measured_slack{.cost = 1.1, .error = 1.25};
 
 struct MethodResult {
   Method method;
@@ -33,6 +38,7 @@ struct ProblemResult {
   const Dominated& front(CostKind cost, ErrorKind error) const {
     return fronts.at(2 * static_cast<std::size_t>(cost) + static_cast<std::size_t>(error));
   }
+  bool has_costs() const;                                    ///< whether any is counted
   double cost_of(std::size_t method, CostKind kind) const;   ///< NaN where it is not known
   double error_of(std::size_t method, ErrorKind kind) const; ///< >= 0
 

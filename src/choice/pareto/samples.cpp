@@ -80,6 +80,7 @@ double at_place(const Input& input, double place) {
 }
 
 double place_of(const Input& input, double value) {
+  if (!(input.high > input.low)) return 0;
   if (input.scale == Scale::linear) return (value - input.low) / (input.high - input.low);
   return std::log(value / input.low) / std::log(input.high / input.low);
 }

@@ -18,6 +18,9 @@ std::string times_csv(const std::vector<ProblemResult>& results, const MachineRe
 /// A problem as a table: header first, methods from the cheapest by counted cost on, then those without one.
 std::vector<std::vector<std::string>> pareto_cells(const ProblemResult& result);
 
+/// "front by cost, G1: karis_2013_float 4 (0.163), rewritten_float 11 (3.4e-08), ...": from the cheapest on.
+std::string front_line(const ProblemResult& result, CostKind cost, ErrorKind error);
+
 /// What the columns of pareto_cells() mean, in lines.
 std::string pareto_legend();
 

@@ -51,7 +51,7 @@ private:
 };
 
 template <class T>
-struct Columns {
+struct TimedColumns {
   std::vector<std::vector<T>> values;
   std::vector<const T*> pointers;
 };
@@ -69,8 +69,8 @@ std::vector<std::vector<double>> usual_inputs(const Problem& problem) {
 }
 
 template <class T>
-Columns<T> in_format(const std::vector<std::vector<double>>& inputs) {
-  Columns<T> columns;
+TimedColumns<T> in_format(const std::vector<std::vector<double>>& inputs) {
+  TimedColumns<T> columns;
   for (const auto& input : inputs) {
     auto& column = columns.values.emplace_back();
     column.reserve(input.size());

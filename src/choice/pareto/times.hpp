@@ -26,6 +26,8 @@ struct MachineRecord {
   std::string processor; ///< of /proc/cpuinfo; "unknown processor" where it is not told
   std::string compiler;
   std::string date; ///< of the day, UTC
+
+  std::string text() const { return processor + ", " + compiler + ", " + date; }
 };
 
 MachineRecord machine_record();

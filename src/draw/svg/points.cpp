@@ -73,14 +73,16 @@ public:
       : frame_(plan.plot), points_(points), lines_(line_corners(plan)) {}
 
   void place(NamedPoint& point) const {
-    constexpr double on_a_line = 25; // as good as being so much farther off
+    constexpr double on_a_line = 45; // as good as being so much farther off
+    constexpr double over_a_dot = 40;
     double least = std::numeric_limits<double>::infinity();
-    for (const double distance : {0.0, 6.0, 14.0, 24.0, 36.0, 50.0, 70.0, 95.0, 125.0, 160.0}) {
+    for (const double distance : {0.0, 6.0, 14.0, 24.0, 36.0, 50.0, 65.0, 80.0, 95.0, 125.0, 160.0, 200.0}) {
       if (distance > least) return;
       for (int k = 0; k < directions; ++k) {
         const Box box = box_at(point, distance, 2 * std::numbers::pi * k / directions);
         if (!is_free(box, point)) continue;
-        const double cost = distance + 0.1 * k + (meets_line(box) ? on_a_line : 0);
+        const double cost =
+            distance + 0.05 * k + (meets_line(box) ? on_a_line : 0) + (leads_over(box, point) ? over_a_dot : 0);
         if (cost >= least) continue;
         least = cost;
         point.place = box;
@@ -89,12 +91,12 @@ public:
   }
 
 private:
-  static constexpr int directions = 16;
+  static constexpr int directions = 32;
 
   /// The box of the name whose nearest edge is `distance` beyond the dot; the first direction is to the right.
   static Box box_at(const NamedPoint& point, double distance, double angle) {
     const double width = text_width(point.name, name_size) + 2;
-    const double reach = point_radius + 2 + distance;
+    const double reach = point_radius + 2.5 + distance;
     const double x = point.at.x + reach * std::cos(angle), y = point.at.y - reach * std::sin(angle);
     return {x - width / 2 + width / 2 * std::cos(angle), y - name_height / 2 - name_height / 2 * std::sin(angle), width,
             name_height};
@@ -106,10 +108,19 @@ private:
       return false;
     const Point end = nearest_in(box, point.at);
     return std::ranges::none_of(points_, [&](const NamedPoint& other) {
-      if (&other != &point && box.touches(dot_box(other), 1)) return true;
+      if (box.touches(dot_box(other), 1)) return true;
       if (!other.place) return false;
       if (box.touches(*other.place, 1) || crosses(point.at, end, *other.place)) return true;
       return crosses(other.at, nearest_in(*other.place, other.at), box);
+    });
+  }
+
+  /// Whether the line to the name runs over another dot.
+  bool leads_over(const Box& box, const NamedPoint& point) const {
+    const Point end = nearest_in(box, point.at);
+    return std::ranges::any_of(points_, [&](const NamedPoint& other) {
+      const bool same = std::hypot(other.at.x - point.at.x, other.at.y - point.at.y) < point_radius;
+      return !same && crosses(point.at, end, dot_box(other));
     });
   }
 
