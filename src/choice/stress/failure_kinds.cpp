@@ -8,8 +8,6 @@ namespace {
 
 double no_limit(const Subject&) { return 0; }
 
-bool is_inexact_by_nature(Kind kind) { return kind == Kind::approximation || kind == Kind::fit || kind == Kind::table; }
-
 double half_the_digits(const Subject& subject) { return std::sqrt(subject.epsilon()); }
 
 double not_a_number(const Subject&, const Trial& trial) {
@@ -17,7 +15,7 @@ double not_a_number(const Subject&, const Trial& trial) {
 }
 
 double infinite(const Subject& subject, const Trial& trial) {
-  return std::isinf(trial.value) && std::fabs(trial.exact.high) < subject.largest() ? 1 : 0;
+  return std::isinf(trial.value) && std::fabs(trial.exact.high) < subject.largest() ? 1 : 0; // 0 where it is not known
 }
 
 double negative(const Subject& subject, const Trial& trial) {
@@ -45,17 +43,22 @@ double digits_lost(const Subject& subject, const Trial& trial) {
 /// Digits of a value whose seen part is right.
 double digits_unseen(const Subject& subject, const Trial& trial) {
   const Kind kind = subject.method().kind;
-  if (!subject.problem().seen || kind == Kind::quadrature || is_inexact_by_nature(kind)) return 0;
+  if (!subject.problem().seen || kind == Kind::quadrature || subject.is_another_function()) return 0;
   const double error = subject.error(trial);
   return std::isfinite(error) && subject.seen_error(trial) <= digits_limit(subject) ? error : 0;
 }
 
 double bound_missed(const Subject& subject, const Trial& trial) {
-  if (!(subject.method().bound > 0) || !std::isfinite(trial.value)) return 0;
-  return is_inexact_by_nature(subject.method().kind) ? subject.seen_error(trial) : subject.error(trial);
+  if (!(subject.method().bound > 0) || !trial.has_exact || !std::isfinite(trial.value)) return 0;
+  return subject.is_another_function() ? subject.seen_error(trial) : subject.error(trial);
 }
 
 double stated_bound(const Subject& subject) { return subject.method().bound + 2 * subject.problem().exact_error; }
+
+/// Steps of tables and of fits that are put together are no rounding.
+double monotone_limit(const Subject& subject) {
+  return subject.is_another_function() ? 1e-3 : half_the_digits(subject);
+}
 
 double wrong_way(const Subject&, const Trial& trial) { return trial.wrong_way; }
 
@@ -75,6 +78,8 @@ double false_convergence(const Subject& subject, const Trial& trial) {
 
 double a_millionth(const Subject&) { return 1e-6; }
 
+double not_reciprocal(const Subject&, const Trial& trial) { return trial.unequal; }
+
 double energy_above_one(const Subject& subject, const Trial& trial) {
   return subject.problem().albedo && std::isfinite(trial.value) ? trial.value - 1 : 0;
 }
@@ -83,7 +88,7 @@ double energy_above_one(const Subject& subject, const Trial& trial) {
 
 double digits_limit(const Subject& subject) {
   const double of_exact = 10 * subject.problem().exact_error;
-  if (!is_inexact_by_nature(subject.method().kind)) return std::max(half_the_digits(subject), of_exact);
+  if (!subject.is_another_function()) return std::max(half_the_digits(subject), of_exact);
   return std::max(subject.method().bound > 0 ? subject.method().bound : 0.1, of_exact);
 }
 
@@ -100,13 +105,15 @@ const std::vector<FailureKind>& failure_kinds() {
       {"bound_missed", "relative error, above what the method states", "mend the method, or state what it keeps",
        bound_missed, stated_bound},
       {"not_monotone", "a step against the order of the function, relative", "a form without cancellation or jump",
-       wrong_way, half_the_digits},
+       wrong_way, monotone_limit},
       {"peak_missed", "share of the integral that is not found",
        "cut the integral at the peak, and take it in variables scaled by its width", missing_share, half_of_it},
       {"false_convergence", "relative error, ten times what the method states or more",
        "judge an error by how fast coefficients fall, and cut the integral at the peak", false_convergence, no_limit},
       {"energy_above_1", "reflects more than all light by so much", "scale it by its largest albedo, or another model",
        energy_above_one, a_millionth},
+      {"not_reciprocal", "relative difference where light and viewer change places", "a form that is symmetric in both",
+       not_reciprocal, half_the_digits},
       {"digits_unseen", "relative error of a value whose seen part is right",
        "a form without a difference of near numbers", digits_unseen, half_the_digits},
   };

@@ -67,6 +67,7 @@ Finding finding_of(const Subject& subject, const FailureKind& kind, const std::v
                   .worst_at = worst.input,
                   .value = worst.value,
                   .exact = worst.exact.high,
+                  .has_exact = worst.has_exact,
                   .single = subject.method().is_single()};
   for (const Trial& trial : trials)
     if (kind.shown_by(subject, trial)) {
@@ -82,6 +83,7 @@ MethodReport report_of(const Subject& subject, const Swept& swept) {
   const std::vector<Trial> trials = subject.trials(swept.rows, swept.exact);
   MethodReport report{.problem = subject.problem().name,
                       .method = subject.method().name,
+                      .inputs = input_names(subject.problem()),
                       .rows = trials.size(),
                       .single = subject.method().is_single()};
   for (const FailureKind& kind : failure_kinds()) {
@@ -108,13 +110,13 @@ int rank(const Method& method, bool single) {
 }
 
 /// What mends a failure: the best method without one, or what helps in general.
-std::string mend_of(const Problem& problem, const std::vector<MethodReport>& reports, const Finding& finding,
-                    bool single) {
+std::string mend_of(const Problem& problem, const std::vector<MethodReport>& reports, const Finding& finding) {
   const Method* best = nullptr;
   for (const MethodReport& report : reports) {
     if (!report.findings.empty()) continue;
     const auto method = std::ranges::find(problem.methods, report.method, &Method::name);
-    if (rank(*method, single) < 100 && (best == nullptr || rank(*method, single) < rank(*best, single)))
+    if (rank(*method, finding.single) < 100 &&
+        (best == nullptr || rank(*method, finding.single) < rank(*best, finding.single)))
       best = &*method;
   }
   if (best == nullptr) return std::string(finding.kind->mend);
@@ -127,6 +129,7 @@ std::vector<MethodReport> stress(const Problem& problem, const std::string& only
   std::optional<Swept> swept[2];
   std::vector<MethodReport> reports;
   for (const Method& method : problem.methods) {
+    if (!method.portable && method.name != only) continue;
     const Subject subject(problem, method);
     auto& rows = swept[method.is_single() ? 1 : 0];
     if (!rows) {
@@ -136,9 +139,8 @@ std::vector<MethodReport> stress(const Problem& problem, const std::string& only
     }
     reports.push_back(report_of(subject, *rows));
   }
-  for (std::size_t k = 0; k < reports.size(); ++k)
-    for (Finding& finding : reports[k].findings)
-      finding.mend = mend_of(problem, reports, finding, problem.methods[k].is_single());
+  for (MethodReport& report : reports)
+    for (Finding& finding : report.findings) finding.mend = mend_of(problem, reports, finding);
   if (!only.empty()) std::erase_if(reports, [&](const MethodReport& report) { return report.method != only; });
   return reports;
 }

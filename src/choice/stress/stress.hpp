@@ -28,14 +28,16 @@ struct Finding {
 struct MethodReport {
   std::string problem;
   std::string method;
-  std::size_t rows = 0; ///< of the sweep
-  double error = 0;     ///< the largest relative error of what is seen that was found: a lower bound
+  std::vector<std::string> inputs{}; ///< names
+  std::size_t rows = 0;              ///< of the sweep
+  double error = 0;                  ///< the largest relative error of what is seen that was found: a lower bound
   Row error_at{};
   bool single = false;
   std::vector<Finding> findings{};
 };
 
-/// Every method of the problem; `only`: the method of this name. What mends a failure is named from all of them.
+/// Every method of the problem that every machine has; `only`: the method of this name, whatever it is. What mends a
+/// failure is named from all of them.
 std::vector<MethodReport> stress(const Problem& problem, const std::string& only = "");
 
 } // namespace brdfplot::choice

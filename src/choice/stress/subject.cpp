@@ -51,13 +51,22 @@ double Subject::largest() const {
                               : std::numeric_limits<double>::max();
 }
 
+bool Subject::is_another_function() const {
+  return method_->kind == Kind::approximation || method_->kind == Kind::fit || method_->kind == Kind::table;
+}
+
+bool Subject::replaces_a_share() const { return is_another_function() && problem_->least >= 0 && problem_->most <= 1; }
+
 double Subject::error(const Trial& trial) const {
+  if (!trial.has_exact) return trial.noise;
   const double smallest = method_->is_single() ? 0x1p-63 : 0x1p-511;
   const double difference = (trial.value - trial.exact.high) - trial.exact.low;
   return relative(difference, std::max(std::fabs(trial.exact.high), smallest));
 }
 
 double Subject::seen_error(const Trial& trial) const {
+  if (!trial.has_exact) return trial.seen_noise;
+  if (!problem_->seen && replaces_a_share()) return std::fabs(trial.value - trial.exact.high);
   if (!problem_->seen) return error(trial);
   return relative(seen(trial.value) - seen(trial.exact.high), seen(trial.exact.high));
 }
@@ -114,6 +123,48 @@ void Subject::compare_with_neighbours(std::vector<Trial>& trials) const {
   }
 }
 
+void Subject::compare_with_exchanged(std::vector<Trial>& trials) const {
+  if (!problem_->reciprocal) return;
+  std::vector<Row> exchanged;
+  for (const Trial& trial : trials) {
+    exchanged.push_back(trial.input);
+    Row& row = exchanged.back();
+    std::rotate(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(row.size() / 2), row.end());
+  }
+  const std::vector<double> other = values(exchanged);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const double largest = std::max(std::fabs(other[i]), std::fabs(trials[i].value));
+    if (std::isfinite(largest)) trials[i].unequal = relative(other[i] - trials[i].value, std::max(largest, 0x1p-511));
+  }
+}
+
+void Subject::measure_noise(std::vector<Trial>& trials) const {
+  if (problem_->exact) return;
+  constexpr std::int64_t apart = 8;
+  for (std::size_t k = 0; k < problem_->inputs.size(); ++k) {
+    std::vector<Row> sides[2];
+    for (const Trial& trial : trials)
+      for (const std::size_t side : {0U, 1U}) {
+        sides[side].push_back(trial.input);
+        sides[side].back()[k] = trial.input[k] + (side == 0 ? -1.0 : 1.0) * static_cast<double>(apart) * epsilon() *
+                                                     std::fabs(trial.input[k]);
+      }
+    const std::vector<double> below = values(sides[0]), above = values(sides[1]);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      // At an end that is not 0, such as the horizon, numbers are coarse on the scale of the function itself.
+      const Input& input = problem_->inputs[k];
+      if (input.high - trials[i].input[k] < 1e-6 * (input.high - input.low)) continue;
+      const double here = trials[i].value;
+      // Where the function itself changes over so few numbers, its inputs' rounding does the same.
+      const double noise = relative((below[i] - here) + (above[i] - here), std::max(std::fabs(here), 0x1p-511));
+      const double seen_here = seen(here);
+      const double seen_off = (seen(below[i]) - seen_here) + (seen(above[i]) - seen_here);
+      if (std::isfinite(noise)) trials[i].noise = std::max(trials[i].noise, noise);
+      if (std::isfinite(seen_off)) trials[i].seen_noise = std::max(trials[i].seen_noise, relative(seen_off, seen_here));
+    }
+  }
+}
+
 void Subject::state_errors(std::vector<Trial>& trials) const {
   if (!method_->stated_error) return;
   for (Trial& trial : trials) trial.stated = method_->stated_error(trial.input);
@@ -123,15 +174,20 @@ std::vector<Trial> Subject::trials(const std::vector<Row>& rows, const std::vect
   const std::vector<double> all = values(rows);
   std::vector<Trial> made;
   made.reserve(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) made.push_back({.input = rows[i], .value = all[i], .exact = exact[i]});
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    made.push_back(
+        {.input = rows[i], .value = all[i], .exact = exact[i], .has_exact = static_cast<bool>(problem_->exact)});
   compare_with_neighbours(made);
+  compare_with_exchanged(made);
+  measure_noise(made);
   state_errors(made);
   return made;
 }
 
-Trial Subject::trial(const Row& row) const { return trials({row}, {problem_->exact(row)}).front(); }
+Trial Subject::trial(const Row& row) const { return trials({row}, exact_values(*problem_, {row})).front(); }
 
 std::vector<Exact> exact_values(const Problem& problem, const std::vector<Row>& rows) {
+  if (!problem.exact) return std::vector<Exact>(rows.size());
   std::vector<Exact> exact;
   exact.reserve(rows.size());
   for (const Row& row : rows) {

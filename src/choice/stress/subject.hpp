@@ -16,6 +16,9 @@ struct Trial {
   Row input;
   double value = 0;
   Exact exact; ///< of the same row, whose inputs are numbers of the method's type: their rounding costs nothing
+  bool has_exact = true;
+  double noise = 0, seen_noise = 0; ///< without an exact value: relative, how far the value is off a smooth curve
+  double unequal = 0;               ///< the relative difference where the halves of the inputs change places
   double wrong_way = 0; ///< the largest step of the seen value, relative, against the order of the exact function
   double stated = std::numeric_limits<double>::infinity(); ///< the error that the method states here
 };
@@ -30,6 +33,8 @@ public:
   const Problem& problem() const { return *problem_; }
   const Method& method() const { return *method_; }
 
+  /// Whether it computes another function in place of the problem's.
+  bool is_another_function() const;
   double epsilon() const { return method_->is_single() ? 0x1p-23 : 0x1p-52; }
   double largest() const;
   /// What is seen of a value (Problem::seen).
@@ -37,7 +42,7 @@ public:
   /// |value - exact| relative to the latter, or to the root of the smallest normal number of the type where that is
   /// more: 2^-511, in float 2^-63. What is below half of the exponents is as good as 0.
   double error(const Trial& trial) const;
-  /// The same of what is seen.
+  /// The same of what is seen. Of another function in place of a share of the light, which is in [0, 1], absolute.
   double seen_error(const Trial& trial) const;
 
   /// The nearest row of numbers of the method's type inside the domain.
@@ -53,7 +58,11 @@ public:
   Trial trial(const Row& row) const;
 
 private:
+  bool replaces_a_share() const;
   void compare_with_neighbours(std::vector<Trial>& trials) const;
+  void compare_with_exchanged(std::vector<Trial>& trials) const;
+  /// Of smooth functions second differences over some numbers of the type vanish to rounding.
+  void measure_noise(std::vector<Trial>& trials) const;
   void state_errors(std::vector<Trial>& trials) const;
 
   const Problem* problem_;
