@@ -30,7 +30,7 @@ namespace {
 struct StressFlags {
   std::vector<std::string> names;
   std::vector<std::string> fail_on;
-  bool json = false;
+  bool json = false, markdown = false;
   std::string output;
 };
 
@@ -153,13 +153,17 @@ void write_files(const std::vector<Asked>& asked, const std::vector<choice::Meth
 
 int run(const StressFlags& flags, const Settings& settings) {
   check_kinds(flags.fail_on);
+  if (flags.json && flags.markdown) throw InputError("stress", "accepted: one of --json, --markdown");
   std::vector<Asked> asked = what_is_asked(flags.names);
   search_all(asked, !flags.output.empty(), settings);
   std::vector<choice::MethodReport> reports;
   for (const auto& one : asked) reports.insert(reports.end(), one.reports.begin(), one.reports.end());
   if (!flags.output.empty()) write_files(asked, reports, flags.output);
-  print(flags.json ? config::stress_record(reports, std::string(version))
-                   : choice::findings_table(reports) + summary_of(reports));
+  if (flags.markdown)
+    print(choice::findings_markdown(reports));
+  else
+    print(flags.json ? config::stress_record(reports, std::string(version))
+                     : choice::findings_table(reports) + summary_of(reports));
   return judge(reports, flags.fail_on);
 }
 
@@ -175,6 +179,7 @@ Command add_stress(CLI::App& app, const Settings& settings) {
   command->add_option("-o,--output", flags->output, "Folder of failures.csv, failures.json and maps of errors")
       ->type_name("DIR");
   command->add_flag("--json", flags->json, "Every method with its largest error and its failures, as JSON");
+  command->add_flag("--markdown", flags->markdown, "A table for a page");
   command->add_option("--fail-on", flags->fail_on, "Exit code 1 when such a failure is found; may be repeated")
       ->type_name("KIND|any");
   command->footer(kinds_text() + footer("brdfplot stress d_ggx --fail-on nan"));

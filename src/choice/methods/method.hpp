@@ -84,8 +84,9 @@ struct Problem {
   /// What of a value is seen, where its relative error is not what matters: G1 = 1 / (1 + Lambda) of a Lambda. Empty:
   /// the value itself.
   std::function<double(double)> seen{};
-  std::string seen_as{};   ///< its name: "G1"
-  bool albedo = false;     ///< a share of the light: more than 1 is energy out of nothing
+  std::string seen_as{}; ///< its name: "G1"
+  bool albedo = false;   ///< a share of the light: more than 1 is energy out of nothing
+  bool smooth = false;   ///< where there are no exact values: digits are told by how far values are off a smooth curve
   bool reciprocal = false; ///< the same where the first half of the inputs and the second change places
 
   std::string cost_unit{}; ///< of costs where they are no operations: "evaluations of the integrand"

@@ -37,6 +37,13 @@ std::string csv_field(const std::string& text) {
   return out + '"';
 }
 
+/// A cell of a table, in which `|` would end it.
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
 std::string block_of(const MethodReport& report) {
   std::string out = report.problem + "/" + report.method + "\n";
   for (const Finding& finding : report.findings) {
@@ -82,6 +89,16 @@ std::string findings_csv(const std::vector<MethodReport>& reports) {
              (f.has_exact ? format_number(f.exact) : "") + "," + csv_field(row_text(f.inputs, f.simplest, f.single)) +
              "," + csv_field(region_text(f)) + "," + std::to_string(f.rows) + "," + std::to_string(report.rows) + "," +
              csv_field(f.mend) + "\n";
+  return out;
+}
+
+std::string findings_markdown(const std::vector<MethodReport>& reports) {
+  std::string out = "| method | failure | worst | simplest input | found for | what mends it |\n"
+                    "| -- | -- | -- | -- | -- | -- |\n";
+  for (const MethodReport& report : reports)
+    for (const Finding& f : report.findings)
+      out += "| " + f.problem + "/" + f.method + " | " + std::string(f.kind->name) + " | " + short_text(f.worst) +
+             " | " + row_text(f.inputs, f.simplest, f.single) + " | " + region_text(f) + " | " + cell(f.mend) + " |\n";
   return out;
 }
 

@@ -18,4 +18,7 @@ std::string findings_table(const std::vector<MethodReport>& reports);
 /// A row for each failure: problem, method, kind, worst, worst_at, value, exact, simplest, rows, mend.
 std::string findings_csv(const std::vector<MethodReport>& reports);
 
+/// The same as a table for a page, with figures of three digits.
+std::string findings_markdown(const std::vector<MethodReport>& reports);
+
 } // namespace brdfplot::choice

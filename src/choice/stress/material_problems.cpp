@@ -123,14 +123,18 @@ Problem of_one_direction(Problem p) {
 void add_surface_problems(const SharedMaterial& material, const WeightedTerm& term, const std::string& prefix,
                           std::vector<Problem>& all) {
   const Microsurface& surface = *term.surface();
+  const bool own_masking = std::holds_alternative<CustomMasking>(surface.masking);
+  const bool own_distribution = std::holds_alternative<Custom>(surface.distribution);
   if (surface.has_lambda()) {
     all.push_back(of_one_direction(quantity_problem(material, {Quantity::lambda, term.name}, prefix + "lambda")));
     all.back().seen = [](double lambda) { return 1 / (1 + lambda); };
+    all.back().smooth = own_masking;
     all.push_back(of_one_direction(quantity_problem(material, {Quantity::g1, term.name}, prefix + "g1")));
     all.back().most = 1;
     if (material->mesosurface().centred()) all.back().monotone = {-1, 0};
   }
   all.push_back(of_one_direction(quantity_problem(material, {Quantity::d, term.name}, prefix + "d")));
+  all.back().smooth = own_distribution;
   all.push_back(quantity_problem(material, {Quantity::g2, term.name}, prefix + "g2"));
   all.back().most = 1;
   all.back().reciprocal = true;

@@ -4,6 +4,7 @@
 #include "choice/stress/ordinals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace brdfplot::choice {
@@ -123,6 +124,17 @@ void Subject::compare_with_neighbours(std::vector<Trial>& trials) const {
   }
 }
 
+double Subject::sensitivity(const Trial& trial) const {
+  double most = 0;
+  for (std::size_t k = 0; k < trial.input.size(); ++k)
+    for (const double sign : {-2.0, 2.0}) {
+      Row row = trial.input;
+      row[k] *= 1 + sign * epsilon();
+      most = std::max(most, relative(values({row}).front() - trial.value, trial.value));
+    }
+  return most;
+}
+
 void Subject::compare_with_exchanged(std::vector<Trial>& trials) const {
   if (!problem_->reciprocal) return;
   std::vector<Row> exchanged;
@@ -134,35 +146,34 @@ void Subject::compare_with_exchanged(std::vector<Trial>& trials) const {
   const std::vector<double> other = values(exchanged);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const double largest = std::max(std::fabs(other[i]), std::fabs(trials[i].value));
-    if (std::isfinite(largest)) trials[i].unequal = relative(other[i] - trials[i].value, std::max(largest, 0x1p-511));
+    if (!std::isfinite(largest)) continue;
+    const double unequal = relative(other[i] - trials[i].value, std::max(largest, 0x1p-511));
+    // What the rounding of the inputs does is not the method's: directions that all but cancel in the half vector.
+    if (unequal > std::sqrt(epsilon()) && unequal > 10 * sensitivity(trials[i])) trials[i].unequal = unequal;
   }
 }
 
 void Subject::measure_noise(std::vector<Trial>& trials) const {
-  if (problem_->exact) return;
-  constexpr std::int64_t apart = 8;
-  for (std::size_t k = 0; k < problem_->inputs.size(); ++k) {
-    std::vector<Row> sides[2];
-    for (const Trial& trial : trials)
-      for (const std::size_t side : {0U, 1U}) {
-        sides[side].push_back(trial.input);
-        sides[side].back()[k] = trial.input[k] + (side == 0 ? -1.0 : 1.0) * static_cast<double>(apart) * epsilon() *
-                                                     std::fabs(trial.input[k]);
-      }
-    const std::vector<double> below = values(sides[0]), above = values(sides[1]);
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      // At an end that is not 0, such as the horizon, numbers are coarse on the scale of the function itself.
+  if (problem_->exact || !problem_->smooth) return;
+  constexpr double apart = 0x1p-16;
+  constexpr std::array<double, 5> weights = {1, -4, 6, -4, 1};
+  for (std::size_t k = 0; k < problem_->inputs.size(); ++k)
+    for (Trial& trial : trials) {
       const Input& input = problem_->inputs[k];
-      if (input.high - trials[i].input[k] < 1e-6 * (input.high - input.low)) continue;
-      const double here = trials[i].value;
-      // Where the function itself changes over so few numbers, its inputs' rounding does the same.
-      const double noise = relative((below[i] - here) + (above[i] - here), std::max(std::fabs(here), 0x1p-511));
-      const double seen_here = seen(here);
-      const double seen_off = (seen(below[i]) - seen_here) + (seen(above[i]) - seen_here);
-      if (std::isfinite(noise)) trials[i].noise = std::max(trials[i].noise, noise);
-      if (std::isfinite(seen_off)) trials[i].seen_noise = std::max(trials[i].seen_noise, relative(seen_off, seen_here));
+      // Near an end that is not 0, such as the horizon, the function may change over as few steps.
+      if (trial.input[k] * (1 + 256 * apart) > input.high || !std::isfinite(trial.value)) continue;
+      std::vector<Row> rows(weights.size(), trial.input);
+      for (std::size_t j = 0; j < rows.size(); ++j) rows[j][k] *= 1 + apart * (static_cast<double>(j) - 2);
+      double off = 0, seen_off = 0;
+      const std::vector<double> near = values(rows);
+      for (std::size_t j = 0; j < near.size(); ++j) {
+        off += weights[j] / 16 * near[j];
+        seen_off += weights[j] / 16 * seen(near[j]);
+      }
+      if (!std::isfinite(off)) continue;
+      trial.noise = std::max(trial.noise, relative(off, std::max(std::fabs(trial.value), 0x1p-511)));
+      trial.seen_noise = std::max(trial.seen_noise, relative(seen_off, seen(trial.value)));
     }
-  }
 }
 
 void Subject::state_errors(std::vector<Trial>& trials) const {
