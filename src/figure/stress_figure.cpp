@@ -7,6 +7,11 @@ namespace brdfplot::plot {
 
 namespace {
 
+/// The name that a method in float shares with the same in double.
+std::string stem(const choice::ErrorMap& map) {
+  return map.single && map.method.ends_with("_float") ? map.method.substr(0, map.method.size() - 6) : map.method;
+}
+
 Axis drawn_axis(const choice::MapAxis& axis) {
   return {.label = axis.name,
           .column = axis.name,
@@ -15,14 +20,28 @@ Axis drawn_axis(const choice::MapAxis& axis) {
           .to = axis.at.back()};
 }
 
-Panel curves(const choice::ProblemMap& map) {
+/// Whose errors, of methods in double or in float.
+Panel curves(const choice::ProblemMap& map, bool single, bool own) {
   Panel panel;
+  panel.title = std::string(single ? "float" : "double") + (map.seen_as.empty() ? ""
+                                                            : own               ? ", the value"
+                                                                                : ", " + map.seen_as);
   panel.x = drawn_axis(map.x);
   panel.y = {.label = "relative error, log_{10}", .column = "log10_error", .from = -17, .to = 2};
   int style = 0;
   for (const auto& one : map.maps)
-    panel.series.push_back({.label = one.method, .x = map.x.at, .y = one.value, .style = style++, .ramp = {}});
+    if (one.single == single)
+      panel.series.push_back(
+          {.label = stem(one), .x = map.x.at, .y = own ? one.own : one.seen, .style = style++, .ramp = {}});
   return panel;
+}
+
+void add_curves(const choice::ProblemMap& map, Figure& figure) {
+  figure.columns = 2;
+  for (const bool own : {true, false})
+    for (const bool single : {false, true})
+      if ((!own || !map.seen_as.empty()) && std::ranges::count(map.maps, single, &choice::ErrorMap::single) > 0)
+        figure.panels.push_back(curves(map, single, own));
 }
 
 Panel heat_map(const choice::ProblemMap& map, const choice::ErrorMap& one) {
@@ -30,17 +49,14 @@ Panel heat_map(const choice::ProblemMap& map, const choice::ErrorMap& one) {
   panel.title = one.method;
   panel.x = drawn_axis(map.x);
   panel.y = drawn_axis(map.y);
-  panel.value = {.label = "relative error, log_{10}", .column = "log10_error", .from = -17, .to = 1};
-  panel.grid = {map.x.at, map.y.at, one.value};
-  for (double& value : panel.grid->value) value = std::min(value, 1.0); // above ten it is as wrong as can be
+  panel.value = {.label = "relative error, log_{10}", .column = "log10_error", .from = -17, .to = 0};
+  panel.grid = {map.x.at, map.y.at, one.seen};
+  for (double& value : panel.grid->value) value = std::min(value, 0.0); // no digit is left
   return panel;
 }
 
 /// Each in double before the same in float, where there are both.
 std::vector<choice::ErrorMap> side_by_side(std::vector<choice::ErrorMap> maps) {
-  const auto stem = [](const choice::ErrorMap& map) {
-    return map.single && map.method.ends_with("_float") ? map.method.substr(0, map.method.size() - 6) : map.method;
-  };
   std::vector<std::string> order;
   for (const auto& map : maps)
     if (std::ranges::find(order, stem(map)) == order.end()) order.push_back(stem(map));
@@ -56,11 +72,10 @@ Figure stress_figure(const choice::ProblemMap& map) {
   Figure figure;
   figure.id = map.problem;
   figure.title = "Errors: " + map.doc;
-  figure.description = "The relative error of what is seen of the value, against 50 digits or an own quadrature; a gap "
-                       "where the value is no number." +
+  figure.description = "The relative error, 1 and more as 1 in maps; nothing where the value is no number." +
                        (map.fixed.empty() ? "" : " The other inputs: " + map.fixed + ".");
   if (map.y.at.empty()) {
-    figure.panels.push_back(curves(map));
+    add_curves(map, figure);
     return figure;
   }
   figure.kind = Kind::heatmap;

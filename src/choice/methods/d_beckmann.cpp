@@ -52,12 +52,12 @@ Problem d_beckmann() {
   add_formula<2>(p, "printed", "exp((mu^2 - 1) / (alpha^2 mu^2)) / (pi alpha^2 mu^4)", "Heitz 2014, Eq. 68",
                  Kind::printed, PrintedBeckmannDensity{}, {{0.5, 0.5}});
   p.methods.push_back({.name = "kernel",
-                       .doc = "the kernel of this program",
+                       .doc = "the powers of 1 / mu^2 and the exponential only where that is not as good as 0",
                        .source = "Heitz 2014, Eqs. 64, 95",
                        .kind = Kind::kernel,
                        .run = beckmann_density_kernel<double>()});
   p.methods.push_back({.name = "kernel_float",
-                       .doc = "the kernel of this program, in double and rounded once",
+                       .doc = "the same in double, rounded once",
                        .source = "Heitz 2014, Eqs. 64, 95",
                        .kind = Kind::kernel,
                        .run = beckmann_density_kernel<float>()});

@@ -28,14 +28,14 @@ double decimal(const std::string& digits, int power) {
 
 /// The simple numbers of a range: 1, 0, those of one significant digit, those near 1 first, powers of ten, its ends.
 /// Where rows are slow, fewer.
-std::vector<double> simple_numbers_of(const Input& input, bool slow) {
+std::vector<double> simple_numbers_of(const Input& input, std::size_t samples) {
   std::vector<double> all = {1.0, 0.0};
-  const int most = slow ? 3 : 16;
+  const int most = samples < 64 ? 1 : samples < 1000 ? 3 : 16;
   for (int power = 0; power <= most; ++power)
     for (const int signed_power : {power, -power})
       for (const char digit : std::string("123456789"))
         for (const double sign : {1.0, -1.0}) all.push_back(sign * decimal(std::string(1, digit), signed_power));
-  for (int power = most + 1; !slow && power <= 323; ++power)
+  for (int power = 17; most == 16 && power <= 323; ++power)
     all.insert(all.end(), {decimal("1", -power), decimal("1", power)});
   all.insert(all.end(), {input.low, input.high});
   std::erase_if(all, [&](double x) { return x < input.low || x > input.high; });
@@ -79,7 +79,7 @@ bool take_first(const Subject& subject, const Wanted& wanted, std::size_t k, con
 
 void simplify_input(const Subject& subject, const Wanted& wanted, std::size_t k, Trial& best) {
   const Problem& problem = subject.problem();
-  if (take_first(subject, wanted, k, simple_numbers_of(problem.inputs[k], is_slow(problem)), best)) return;
+  if (take_first(subject, wanted, k, simple_numbers_of(problem.inputs[k], problem.samples), best)) return;
   for (int digits = 1; digits <= 16; ++digits)
     if (take_first(subject, wanted, k, with_digits(best.input[k], digits), best)) return;
 }
@@ -88,7 +88,8 @@ void simplify_input(const Subject& subject, const Wanted& wanted, std::size_t k,
 
 Trial climbed(const Subject& subject, const FailureKind& kind, Trial best) {
   const auto& inputs = subject.problem().inputs;
-  const int most = is_slow(subject.problem()) ? 40 : 600;
+  const std::size_t rows = subject.problem().samples;
+  const int most = rows < 64 ? 16 : rows < 1000 ? 40 : 600;
   int tried = 0;
   for (int part = 3; part < 64; ++part) {
     bool moves = true;

@@ -64,12 +64,15 @@ std::vector<Row> rows_of(const ProblemMap& map, const Row& fixed) {
   return rows;
 }
 
+double drawn_error(double error) {
+  return std::isfinite(error) ? std::log10(std::max(error, least_error)) : std::numeric_limits<double>::quiet_NaN();
+}
+
 ErrorMap map_of(const Subject& subject, const std::vector<Row>& rows, const std::vector<Exact>& exact) {
-  ErrorMap map{.method = subject.method().name, .single = subject.method().is_single(), .value = {}};
+  ErrorMap map{.method = subject.method().name, .single = subject.method().is_single(), .seen = {}, .own = {}};
   for (const Trial& trial : subject.trials(rows, exact)) {
-    const double error = subject.seen_error(trial);
-    map.value.push_back(std::isfinite(error) ? std::log10(std::max(error, least_error))
-                                             : std::numeric_limits<double>::quiet_NaN());
+    map.seen.push_back(drawn_error(subject.seen_error(trial)));
+    if (subject.problem().seen) map.own.push_back(drawn_error(subject.error(trial)));
   }
   return map;
 }
@@ -87,6 +90,7 @@ ProblemMap error_map(const Problem& problem, const std::vector<MethodReport>& re
   const std::size_t count = points_along(problem);
   ProblemMap map{.problem = problem.name,
                  .doc = problem.doc,
+                 .seen_as = problem.seen_as,
                  .x = axis_of(problem.inputs[0], count),
                  .y = {},
                  .fixed = {},

@@ -17,18 +17,20 @@ struct MapAxis {
   double input(double drawn) const;
 };
 
-/// log10 of the relative error of what is seen; NaN where the value is no number.
+/// log10 of relative errors; NaN where the value is no number.
 struct ErrorMap {
   std::string method;
   bool single = false;
-  std::vector<double> value; ///< x fastest
+  std::vector<double> seen; ///< of what is seen; x fastest
+  std::vector<double> own;  ///< of the value itself, where that is not what is seen
 };
 
 struct ProblemMap {
   std::string problem;
   std::string doc;
-  MapAxis x, y;      ///< y without numbers: of one input
-  std::string fixed; ///< the other inputs, "cos_theta = 1"
+  std::string seen_as; ///< what is seen, where it is not the value
+  MapAxis x, y;        ///< y without numbers: of one input
+  std::string fixed;   ///< the other inputs, "cos_theta = 1"
   std::vector<ErrorMap> maps;
 };
 

@@ -79,7 +79,7 @@ Run<double> quantity_run(const SharedMaterial& material, const Of& of) {
 /// The largest of the channels.
 double largest_albedo(const Material& material, const Direction& o) {
   try {
-    const ColourEstimate all = compute_channels(Integral::albedo, material, o, 1e-7);
+    const ColourEstimate all = compute_channels(Integral::albedo, material, o, 1e-6);
     return *std::max_element(all.value.begin(), all.value.begin() + material.channels());
   } catch (const InputError&) {
     return not_a_value;
@@ -157,7 +157,7 @@ Problem albedo_problem(const SharedMaterial& material) {
             .inputs = angles({"o"}),
             .least = 0,
             .albedo = true,
-            .samples = 100};
+            .samples = 40};
   const bool isotropic = std::ranges::all_of(material->terms, &WeightedTerm::is_isotropic);
   if (isotropic) p.inputs.pop_back();
   p.methods.push_back({.name = "albedo",

@@ -115,9 +115,10 @@ std::string mend_of(const Problem& problem, const std::vector<MethodReport>& rep
   for (const MethodReport& report : reports) {
     if (!report.findings.empty()) continue;
     const auto method = std::ranges::find(problem.methods, report.method, &Method::name);
-    if (rank(*method, finding.single) < 100 &&
-        (best == nullptr || rank(*method, finding.single) < rank(*best, finding.single)))
-      best = &*method;
+    const int place = rank(*method, finding.single);
+    // Of quadratures the last is the finest.
+    const bool is_finer = best != nullptr && place == rank(*best, finding.single) && method->kind == Kind::quadrature;
+    if (place < 100 && (best == nullptr || place < rank(*best, finding.single) || is_finer)) best = &*method;
   }
   if (best == nullptr) return std::string(finding.kind->mend);
   return best->name + ": " + best->doc;

@@ -19,6 +19,7 @@ struct Size {
 Size size_of(const Problem& problem) {
   constexpr std::size_t per_axis[] = {0, 801, 41, 11, 7};
   const std::size_t inputs = std::min<std::size_t>(problem.inputs.size(), 4);
+  if (problem.samples < 64) return {inputs == 1 ? 21U : 5U, 20};
   if (is_slow(problem)) return {inputs == 1 ? 41U : inputs == 2 ? 9U : 5U, 100};
   return {per_axis[inputs], inputs == 1 ? 1000U : 4000U};
 }
@@ -84,26 +85,34 @@ void add_grid(const Subject& subject, std::size_t per_axis, std::vector<Row>& ro
   }
 }
 
+using Specials = std::vector<std::vector<double>>; ///< of each input
+
+/// A row of random and special numbers.
+Row random_row(const Subject& subject, const Specials& special, Random& random) {
+  Row row;
+  for (std::size_t k = 0; k < special.size(); ++k) {
+    const bool takes_special = special.size() > 1 && random.uniform() < 0.4;
+    row.push_back(takes_special ? special[k][random.bits() % special[k].size()] : random_number(subject, k, random));
+  }
+  return row;
+}
+
 } // namespace
 
 std::vector<Row> sweep(const Subject& subject) {
-  const std::size_t inputs = subject.problem().inputs.size();
   const Size size = size_of(subject.problem());
   std::vector<Row> rows;
   add_grid(subject, size.grid, rows);
-  std::vector<std::vector<double>> special;
-  for (std::size_t k = 0; k < inputs; ++k) special.push_back(special_numbers(subject, k));
-  if (inputs == 1 && !is_slow(subject.problem()))
-    for (const double x : special[0]) rows.push_back({x});
+  Specials special;
+  for (std::size_t k = 0; k < subject.problem().inputs.size(); ++k) special.push_back(special_numbers(subject, k));
   Random random(seed, subject.method().is_single() ? 1 : 0);
-  for (std::size_t i = 0; i < size.random; ++i) {
-    Row row;
-    for (std::size_t k = 0; k < inputs; ++k) {
-      const bool takes_special = inputs > 1 && random.uniform() < 0.4;
-      row.push_back(takes_special ? special[k][random.bits() % special[k].size()] : random_number(subject, k, random));
-    }
-    rows.push_back(std::move(row));
-  }
+  for (std::size_t i = 0; i < size.random; ++i) rows.push_back(random_row(subject, special, random));
+  if (!is_slow(subject.problem()))
+    for (std::size_t k = 0; k < special.size(); ++k)
+      for (const double x : special[k]) {
+        rows.push_back(random_row(subject, special, random));
+        rows.back()[k] = x;
+      }
   for (Row& row : rows) row = subject.rounded(row);
   std::ranges::sort(rows);
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
