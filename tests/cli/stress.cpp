@@ -52,18 +52,17 @@ TEST_CASE("stress: files, the same for any number of threads") {
 TEST_CASE("stress: a material") {
   const Folder folder;
   folder.write("wall.json", R"({"terms": [{"type": "oren_nayar", "albedo": 1, "sigma": 0.3}]})");
-  folder.write("own.json", R"({"distribution": {"type": "ggx", "alpha": 0.01},
-    "masking": {"type": "custom", "lambda": "0.1 - 1 / (1 + a)"
-}
-})");
+  folder.write("own.json", R"json({"distribution": {"type": "ggx", "alpha": 0.01},
+    "masking": {"type": "custom", "lambda": "0.1 - 1 / (1 + a)"}})json");
   const auto wall = run(folder, "brdfplot stress wall.json --fail-on energy_above_1");
-CHECK(wall.code == 1);
-CHECK(wall.out.find("wall/albedo\n  energy_above_1 ") == 0);
-CHECK(run(folder, "brdfplot stress wall.json --fail-on nan --fail-on not_reciprocal").code == 0);
-const std::string own = check_output(folder, "brdfplot stress own.json");
-CHECK(own.find("own/lambda\n  negative ") != std::string::npos);
-CHECK(own.find("own/g1\n  above_1 ") != std::string::npos);
-CHECK(run(folder, "brdfplot stress configs/materials/ggx.json --fail-on any").code == 0);
+  CHECK(wall.code == 1);
+  CHECK(wall.out.find("wall/albedo\n  energy_above_1 ") == 0);
+  CHECK(run(folder, "brdfplot stress wall.json --fail-on nan --fail-on not_reciprocal").code == 0);
+  if (sampled()) return;
+  const std::string own = check_output(folder, "brdfplot stress own.json");
+  CHECK(own.find("own/lambda\n  negative ") != std::string::npos);
+  CHECK(own.find("own/g1\n  above_1 ") != std::string::npos);
+  CHECK(run(folder, "brdfplot stress configs/materials/ggx.json --fail-on any").code == 0);
 }
 
 TEST_CASE("stress: the page on stability has the program's own figures") {
