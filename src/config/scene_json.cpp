@@ -75,6 +75,7 @@ ShapePtr scene_shape() {
 
 simulation::SceneDescription load_scene(const std::string& path) {
   const JsonFile file(path);
+  expect_kind(file, "scene");
   static const ShapePtr shape = scene_shape();
   file.check(*shape);
   const Json& root = file.root();

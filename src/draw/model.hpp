@@ -41,7 +41,7 @@ struct Series {
   /// Standard error of each y, drawn as bars or a band of twice its size; empty: y is exact.
   std::vector<double> error{};
   /// Of each point: a dot with this name beside it, instead of a line; an empty name: the dot alone. Empty: a line.
-  /// Kind::lines only. A name that has no room without covering another, a dot or the frame is left out.
+  /// Kind::lines only. A name that has no room without covering another, a dot or the frame is the dot's title.
   std::vector<std::string> names{};
 };
 
@@ -120,6 +120,7 @@ struct Panel {
   std::vector<Note> notes{};
   std::optional<Sketch> sketch{};   ///< profile only: its series are the parts of the surface, broken by NaN
   std::optional<Picture> picture{}; ///< spheres only: its series are the radiance along a diameter, not drawn
+  bool drawn = true;                ///< else it is in the CSV only
 };
 
 /// Which panels share the range of their value axis where it is automatic.
@@ -136,14 +137,16 @@ struct Figure {
 };
 
 /// The figure as one standalone SVG document (UTF-8, viewBox, text as text).
-/// \throws nothing that depends on the data; an empty figure gives an SVG with the title only.
+/// Panels that are not `drawn` are left out. \throws nothing that depends on the data; an empty figure gives an SVG
+/// with the title only.
 std::string to_svg(const Figure& figure);
 
-/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`. Where a
+/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`; where panels
+/// sweep different variables, a column for each, empty in the rows of the others. Where a
 /// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact; where points have
-/// names, the column `name`. In a profile an empty y ends a part of the surface. One header line, LF, numbers in the
-/// shortest form that reads back to the same double; text fields quoted when needed (RFC 4180). Markup of labels is
-/// stripped ("θ_o" stays "θ_o": only braces go).
+/// names, `name` follows. In a profile an empty
+/// y ends a part of the surface. One header line, LF, numbers in the shortest form that reads back to the same double;
+/// text fields quoted when needed (RFC 4180). Markup of labels is stripped ("θ_o" stays "θ_o": only braces go).
 std::string to_csv(const Figure& figure);
 
 } // namespace brdfplot::plot

@@ -91,10 +91,42 @@ std::vector<std::string> groups_of(const std::vector<CostChart>& charts) {
   return groups;
 }
 
-Series dots_of(const CostChart& chart, const std::string& group, bool on_front, std::size_t style) {
+/// Points that lie on each other are one, with the names of all: of more than two, of the first and the last.
+std::vector<CostPoint> distinct(const std::vector<CostPoint>& points) {
+  constexpr double as_one = 1.03; // within the width of a dot
+  struct Heap {
+    CostPoint point;
+    std::size_t count = 1;
+    std::string last{};
+  };
+  std::vector<Heap> heaps;
+  for (const auto& point : points) {
+    if (!is_shown(point)) continue;
+    const auto here = std::ranges::find_if(heaps, [&](const Heap& heap) {
+      const CostPoint& p = heap.point;
+      return p.group == point.group && std::max(p.cost, point.cost) <= as_one * std::min(p.cost, point.cost) &&
+             std::max(p.error, point.error) <= as_one * std::min(p.error, point.error);
+    });
+    if (here == heaps.end()) {
+      heaps.push_back({point});
+      continue;
+    }
+    ++here->count;
+    here->last = point.name;
+    here->point.on_front = here->point.on_front || point.on_front;
+  }
+  std::vector<CostPoint> out;
+  for (Heap& heap : heaps) {
+    if (heap.count > 1) heap.point.name += (heap.count > 2 ? " … " : ", ") + heap.last;
+    out.push_back(std::move(heap.point));
+  }
+  return out;
+}
+
+Series dots_of(const std::vector<CostPoint>& points, const std::string& group, bool on_front, std::size_t style) {
   Series series{.label = group, .x = {}, .y = {}, .style = static_cast<int>(style % front_style), .ramp = {}};
-  for (const auto& point : chart.points) {
-    if (!is_shown(point) || point.group != group || point.on_front != on_front) continue;
+  for (const auto& point : points) {
+    if (point.group != group || point.on_front != on_front) continue;
     series.x.push_back(point.cost);
     series.y.push_back(point.error);
     series.names.push_back(literal(point.name));
@@ -102,8 +134,18 @@ Series dots_of(const CostChart& chart, const std::string& group, bool on_front, 
   return series;
 }
 
+/// From the least of a cost to where it spreads to.
+Series spread_of(const CostPoint& point, std::size_t style) {
+  return {.label = "",
+          .x = {point.cost, point.cost_to},
+          .y = {point.error, point.error},
+          .style = static_cast<int>(style % front_style),
+          .ramp = {}};
+}
+
 Panel panel_of(const CostChart& chart, const std::vector<std::string>& groups) {
   Panel panel;
+  const std::vector<CostPoint> points = distinct(chart.points);
   panel.title = chart.title;
   panel.x = chart.cost;
   panel.y = chart.error;
@@ -111,10 +153,14 @@ Panel panel_of(const CostChart& chart, const std::vector<std::string>& groups) {
   set_range(panel.x, chart.points, &CostPoint::cost, 1.1);
   set_range(panel.y, chart.points, &CostPoint::error, 3);
   panel.series.push_back(staircase(chart.points, panel.x));
+  for (const auto& point : points)
+    if (point.cost_to > point.cost)
+      panel.series.push_back(
+          spread_of(point, static_cast<std::size_t>(std::ranges::find(groups, point.group) - groups.begin())));
   // Those on the front are named first: they get the places nearest to their dots.
   for (const bool on_front : {true, false})
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      Series series = dots_of(chart, groups[g], on_front, g);
+      Series series = dots_of(points, groups[g], on_front, g);
       if (!series.names.empty()) panel.series.push_back(std::move(series));
     }
   if (chart.tolerance)

@@ -18,6 +18,7 @@ struct CostPoint {
   double error = 0;
   bool on_front = false;
   std::string group{}; ///< points of a group share a colour, and an entry of the legend; in the order they come in
+  double cost_to = 0;  ///< above `cost`: how far a measured cost spreads, drawn as a line to there
 };
 
 /// One panel.
@@ -30,7 +31,7 @@ struct CostChart {
 };
 
 /// A panel for each chart, below each other: the front as a staircase, the points on it and the others as dots with
-/// their names.
+/// their names. Points of a group that lie on each other are one dot.
 Figure cost_figure(const std::vector<CostChart>& charts, const std::string& id, const std::string& title,
                    const std::string& description);
 

@@ -20,7 +20,8 @@ CostPoint point_of(const choice::ProblemResult& result, std::size_t k, choice::C
                   .cost = result.cost_of(k, cost),
                   .error = result.error_of(k, error),
                   .on_front = result.front(cost, error).on_front[k],
-                  .group = std::string(kind_word(method.kind))};
+                  .group = std::string(kind_word(method.kind)),
+                  .cost_to = cost == choice::CostKind::measured ? result.methods[k].time->upper_quartile : 0};
   if (!(point.error > hopeless) || std::isinf(point.error)) return point;
   std::array<char, 24> text{};
   std::snprintf(text.data(), text.size(), " (%.0e)", point.error);
@@ -39,8 +40,8 @@ CostChart chart_of(const choice::ProblemResult& result, choice::CostKind cost, c
                                                                           : result.problem.cost_unit),
                  .column = "cost"}
           : Axis{.label = "least time of a value, in ns", .column = "ns"};
-  chart.error = relative ? Axis{.label = "largest relative error", .column = "relative_error"}
-                         : Axis{.label = "largest error of " + of, .column = "absolute_error"};
+  chart.title = relative ? "Relative error" : "Error of " + of;
+  chart.error = {.label = relative ? "largest relative error" : "largest error of " + of, .column = "error"};
   for (std::size_t k = 0; k < result.methods.size(); ++k) {
     const choice::Method& method = result.methods[k].method;
     if (cost == choice::CostKind::counted && !method.portable) continue;
@@ -79,7 +80,9 @@ Figure pareto_figure(const choice::ProblemResult& result) {
 }
 
 Figure pareto_figure(const choice::ProblemResult& result, const choice::MachineRecord& machine) {
-  return figure_of(result, choice::CostKind::measured, "_time", machine.text());
+  Figure figure = figure_of(result, choice::CostKind::measured, "_time", machine.text());
+  figure.description += " Lines run from the least time to the upper quartile.";
+  return figure;
 }
 
 } // namespace brdfplot::plot

@@ -58,7 +58,7 @@ TEST_CASE("pareto: of a material its integrals, with whether their estimates hol
   const Folder folder;
   const std::string out =
       check_output(folder, "brdfplot pareto albedo lambda configs/materials/beckmann.json --no-times");
-  for (const char* part : {"albedo: albedo of Beckmann", "lambda: Smith's Lambda of Beckmann", "quadrature_1e-9",
+  for (const char* part : {"albedo: Albedo of Beckmann", "lambda: Smith's Lambda of Beckmann", "quadrature_1e-9",
                            "fit_1e-4", "bounds the error in 12 of 12 directions"})
     CHECK(out.find(part) != std::string::npos);
   CHECK(out.find("furnace") == std::string::npos);

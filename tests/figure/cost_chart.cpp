@@ -43,6 +43,16 @@ TEST_CASE("cost chart: the front is a staircase, and what has no place is told o
   CHECK(panel.series[3].names == std::vector<std::string>{"worse"});
 }
 
+TEST_CASE("cost chart: a measured cost has its spread as a line") {
+  CostChart measured = chart();
+  measured.points[1].cost_to = 3;
+  const Figure figure = cost_figure({measured}, "chart", "", "");
+  const Series& spread = figure.panels.at(0).series.at(1);
+  CHECK(spread.x == std::vector<double>{2, 3});
+  CHECK(spread.y == std::vector<double>{2e-1, 2e-1});
+  CHECK(spread.names.empty());
+}
+
 TEST_CASE("cost chart: every name is drawn once, every group has one entry in the legend") {
   const std::string svg = to_svg(cost_figure({chart()}, "chart", "Costs", "What costs what."));
   for (const char* name : {">cheap<", ">worse<", ">good<", ">a<", ">b<", ">front<"}) {
@@ -52,10 +62,19 @@ TEST_CASE("cost chart: every name is drawn once, every group has one entry in th
   CHECK(count(to_csv(cost_figure({chart()}, "chart", "", "")), ",good\n") == 1);
 }
 
-TEST_CASE("cost chart: names of points that lie on each other do not") {
+TEST_CASE("cost chart: names of points that lie near each other do not cover each other") {
   CostChart crowded = chart();
   crowded.points.clear();
-  for (int k = 0; k < 30; ++k) crowded.points.push_back({"point_" + std::to_string(k), 10 + 0.01 * k, 1e-3, k == 0, "a"});
+  for (int k = 0; k < 14; ++k)
+    crowded.points.push_back({"point_" + std::to_string(k), 10 * std::pow(1.04, k), 1e-3, k == 0, "a"});
   const std::string svg = to_svg(cost_figure({crowded}, "chart", "", ""));
-  CHECK(count(svg, ">point_") == 30);
+  CHECK(count(svg, ">point_") == 14);
+}
+
+TEST_CASE("cost chart: points that lie on each other are one dot with their names") {
+  CostChart same = chart();
+  same.points = {{"p", 10, 1e-3, false, "a"}, {"q", 10, 1.001e-3, false, "a"}, {"r", 10, 1e-3, false, "b"},
+                 {"s", 20, 1e-3, false, "a"}, {"t", 20, 1e-3, false, "a"},     {"u", 20, 1e-3, false, "a"}};
+  const std::string svg = to_svg(cost_figure({same}, "chart", "", ""));
+  for (const char* name : {">p, q<", ">r<", ">s … u<"}) CHECK(count(svg, name) == 1);
 }

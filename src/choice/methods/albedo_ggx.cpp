@@ -210,7 +210,7 @@ Problem albedo_problem(const std::string& name, const std::string& doc, Scale90 
             .most = 1,
             .seen = {},
             .exact_error = 1e-9,
-            .samples = 800};
+            .samples = 400};
   const std::vector<std::array<double, 2>> examples = {{0.3, 0.5}};
   add_formula(p, "materialx", "a rational in cos and alpha", "MaterialX 1.39, mx_ggx_dir_albedo_analytic",
               Kind::approximation, MaterialXAlbedo{scale}, examples);
@@ -225,8 +225,8 @@ Problem albedo_problem(const std::string& name, const std::string& doc, Scale90 
 
 } // namespace
 
-Problem albedo_ggx() { return albedo_problem("albedo_ggx", "albedo of GGX with F = 1, A + B", Scale90::sum); }
-Problem albedo_ggx_a() { return albedo_problem("albedo_ggx_a", "factor A of F0 in the albedo of GGX", Scale90::a); }
-Problem albedo_ggx_b() { return albedo_problem("albedo_ggx_b", "factor B of F90 in the albedo of GGX", Scale90::b); }
+Problem albedo_ggx() { return albedo_problem("albedo_ggx", "Albedo of GGX with F = 1, A + B", Scale90::sum); }
+Problem albedo_ggx_a() { return albedo_problem("albedo_ggx_a", "Factor A of F0 in the albedo of GGX", Scale90::a); }
+Problem albedo_ggx_b() { return albedo_problem("albedo_ggx_b", "Factor B of F90 in the albedo of GGX", Scale90::b); }
 
 } // namespace brdfplot::choice

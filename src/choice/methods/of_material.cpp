@@ -190,7 +190,7 @@ Problem brdf_problem(const MaterialDescription& description, const SharedMateria
             .exact =
                 [run](std::span<const double> x) {
                   const kernels::IsaHere here(kernels::Isa::baseline);
-                  const std::array<const double*, 3> in = {&x[0], &x[1], &x[2]};
+                  const std::array<const double*, 3> in = {x.data(), x.data() + 1, x.data() + 2};
                   double value = 0;
                   run(1, in.data(), &value);
                   return Exact{value, 0};
@@ -210,7 +210,7 @@ Problem integral_problem(const MaterialDescription& description, const SharedMat
     return compute(integral, *material, direction_at(theta), tolerance);
   };
   Problem p{.name = name,
-            .doc = name + " of " + description.name,
+            .doc = (integral == Integral::albedo ? "Albedo of " : "Furnace test of ") + description.name,
             .source = "the quadrature of this program at its finest, a tolerance of 1e-10",
             .inputs = {polar_angle()},
             .exact =

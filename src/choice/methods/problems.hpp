@@ -20,12 +20,14 @@ Problem fresnel_conductor();
 Problem fresnel_dielectric();
 Problem g2();
 Problem half_vector();
+Problem g2_directions();
 Problem lambda_beckmann();
 Problem lambda_ggx();
 Problem lambda_sheen();
 Problem lambda_student_t();
 Problem narrow_peak();
 Problem weak_furnace();
+Problem sample_beckmann();
 
 /// Each makes a problem.
 inline constexpr std::array problem_list = {
@@ -34,9 +36,11 @@ inline constexpr std::array problem_list = {
     &lambda_sheen,       //
     &lambda_student_t,   //
     &g2,                 //
+    &g2_directions,      //
     &fresnel_dielectric, //
     &fresnel_conductor,  //
     &brdf_ggx,           //
+    &sample_beckmann,    //
     &albedo_ggx,         //
     &albedo_ggx_a,       //
     &albedo_ggx_b,       //

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/interrupt.hpp"
 #include "draw/svg/plan.hpp"
 
 namespace brdfplot::plot {
@@ -34,6 +35,12 @@ bool crosses(Point a, Point b, const Box& box) {
     if (p.x > box.x && p.x < box.right() && p.y > box.y && p.y < box.bottom()) return true;
   }
   return false;
+}
+
+/// Whether two segments have an inner point in common.
+bool cross(Point a, Point b, Point c, Point d) {
+  const auto side = [](Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
 /// The point of a box nearest to another.
@@ -111,7 +118,8 @@ private:
       if (box.touches(dot_box(other), 1)) return true;
       if (!other.place) return false;
       if (box.touches(*other.place, 1) || crosses(point.at, end, *other.place)) return true;
-      return crosses(other.at, nearest_in(*other.place, other.at), box);
+      const Point other_end = nearest_in(*other.place, other.at);
+      return crosses(other.at, other_end, box) || cross(point.at, end, other.at, other_end);
     });
   }
 
@@ -137,13 +145,47 @@ private:
   std::vector<std::vector<Point>> lines_;
 };
 
+/// The dot; a name that has no room beside it is told where a pointer rests on it.
+void draw_dot(SvgWriter& svg, const NamedPoint& point) {
+  PathData dot;
+  dot.dot(point.at, point_radius);
+  const bool hidden = !point.place && !point.name.empty();
+  if (hidden) {
+    std::string title = "<g><title>";
+    append_escaped(title, strip_markup(point.name));
+    svg.raw(title + "</title>\n");
+  }
+  svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
+  if (hidden) svg.close_group();
+}
+
+/// One name after the other; those that find no room go first the next time.
+void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
+  constexpr int most_rounds = 6;
+  std::vector<NamedPoint> best;
+  std::size_t least_left = points.size() + 1;
+  for (int round = 0; round < most_rounds && least_left > 0; ++round) {
+    throw_if_interrupted();
+    for (auto& point : points) point.place.reset();
+    const NamePlacer placer(plan, points);
+    for (auto& point : points)
+      if (!point.name.empty()) placer.place(point);
+    const auto has_no_room = [](const NamedPoint& point) { return !point.place && !point.name.empty(); };
+    const auto left = static_cast<std::size_t>(std::ranges::count_if(points, has_no_room));
+    if (left < least_left) {
+      least_left = left;
+      best = points;
+    }
+    std::stable_partition(points.begin(), points.end(), has_no_room);
+  }
+  points = std::move(best);
+}
+
 } // namespace
 
 void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
   std::vector<NamedPoint> points = named_points(plan);
-  const NamePlacer placer(plan, points);
-  for (auto& point : points)
-    if (!point.name.empty()) placer.place(point);
+  place_names(plan, points);
   PathData leaders;
   for (const auto& point : points) {
     if (!point.place) continue;
@@ -153,11 +195,7 @@ void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
     leaders.line(end);
   }
   if (!leaders.empty()) svg.path(leaders, {"bp-no bp-frame", 0.7, {}, {}});
-  for (const auto& point : points) {
-    PathData dot;
-    dot.dot(point.at, point_radius);
-    svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
-  }
+  for (const auto& point : points) draw_dot(svg, point);
   for (const auto& point : points)
     if (point.place)
       svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start,
