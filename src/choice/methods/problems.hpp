@@ -19,15 +19,15 @@ Problem d_gtr();
 Problem fresnel_conductor();
 Problem fresnel_dielectric();
 Problem g2();
-Problem half_vector();
 Problem g2_directions();
+Problem half_vector();
 Problem lambda_beckmann();
 Problem lambda_ggx();
 Problem lambda_sheen();
 Problem lambda_student_t();
 Problem narrow_peak();
-Problem weak_furnace();
 Problem sample_beckmann();
+Problem weak_furnace();
 
 /// Each makes a problem.
 inline constexpr std::array problem_list = {
