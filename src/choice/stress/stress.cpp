@@ -120,6 +120,9 @@ std::string mend_of(const Problem& problem, const std::vector<MethodReport>& rep
     const bool is_finer = best != nullptr && place == rank(*best, finding.single) && method->kind == Kind::quadrature;
     if (place < 100 && (best == nullptr || place < rank(*best, finding.single) || is_finer)) best = &*method;
   }
+  const auto own = std::ranges::find(problem.methods, finding.method, &Method::name);
+  if (best == nullptr && Subject(problem, *own).is_another_function() && finding.kind->name == "digits_lost")
+    return "the function itself, or an approximation that states its error";
   if (best == nullptr) return std::string(finding.kind->mend);
   return best->name + ": " + best->doc;
 }

@@ -60,7 +60,7 @@ bool Subject::replaces_a_share() const { return is_another_function() && problem
 
 double Subject::error(const Trial& trial) const {
   if (!trial.has_exact) return trial.noise;
-  const double smallest = method_->is_single() ? 0x1p-63 : 0x1p-511;
+  const double smallest = problem_->least < 0 ? 1 : method_->is_single() ? 0x1p-63 : 0x1p-511;
   const double difference = (trial.value - trial.exact.high) - trial.exact.low;
   return relative(difference, std::max(std::fabs(trial.exact.high), smallest));
 }

@@ -40,7 +40,8 @@ public:
   /// What is seen of a value (Problem::seen).
   double seen(double value) const { return problem_->seen ? problem_->seen(value) : value; }
   /// |value - exact| relative to the latter, or to the root of the smallest normal number of the type where that is
-  /// more: 2^-511, in float 2^-63. What is below half of the exponents is as good as 0.
+  /// more: 2^-511, in float 2^-63. What is below half of the exponents is as good as 0. Of a function of both signs,
+  /// whose relative error means nothing at its root, relative to 1 where it is less.
   double error(const Trial& trial) const;
   /// The same of what is seen. Of another function in place of a share of the light, which is in [0, 1], absolute.
   double seen_error(const Trial& trial) const;
