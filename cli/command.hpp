@@ -36,6 +36,7 @@ Command add_fit(CLI::App& app, const Settings& settings);
 Command add_report(CLI::App& app, const Settings& settings);
 Command add_sample(CLI::App& app, const Settings& settings);
 Command add_simulate(CLI::App& app, const Settings& settings);
+Command add_stress(CLI::App& app, const Settings& settings);
 Command add_list(CLI::App& app);
 Command add_help(CLI::App& app);
 Command add_schema(CLI::App& app);
