@@ -189,7 +189,7 @@ ReportFile load_report(const std::string& path) {
 }
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all = {"material", "figure", "report", "scene"};
+  static const std::vector<std::string> all = {"material", "figure", "report", "scene", "advice"};
   return all;
 }
 
@@ -203,6 +203,8 @@ std::string schema(const std::string& kind) {
     shape = report_shape();
   else if (kind == "scene")
     shape = scene_shape();
+  else if (kind == "advice")
+    shape = advice_shape();
   else
     throw InputError("schema", unknown_name("kind", kind, kinds()));
   return json_schema(*shape, "brdfplot " + kind).dump(2) + "\n";
@@ -214,6 +216,7 @@ std::string validate(const std::string& path) {
   if (file.root().contains("panels") || file.root().contains("kind")) return load_figure(path), "figure";
   if (file.root().contains("entries")) return load_report(path), "report";
   if (file.root().contains("surface")) return load_scene(path), "scene";
+  if (file.root().contains("materials") && file.root().contains("lights")) return load_advice(path), "advice";
   return load_material(path), "material";
 }
 

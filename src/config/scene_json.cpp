@@ -76,6 +76,9 @@ ShapePtr scene_shape() {
 simulation::SceneDescription load_scene(const std::string& path) {
   const JsonFile file(path);
   static const ShapePtr shape = scene_shape();
+  if (file.root().is_object() && file.root().contains("materials"))
+    file.fail("", "found a scene with \"materials\", which `brdfplot advise` takes; accepted: one with a \"surface\" and "
+                  "\"measures\"");
   file.check(*shape);
   const Json& root = file.root();
   simulation::SceneDescription scene;

@@ -15,6 +15,7 @@ ShapePtr material_shape(bool top);
 ShapePtr figure_shape();
 ShapePtr report_shape();
 ShapePtr scene_shape();
+ShapePtr advice_shape();
 
 /// A material at `pointer` of `file`, which has been checked against material_shape. Built once, so that what only
 /// building finds (two alternatives at once, shadowing that masking does not allow) is told with its place.

@@ -8,7 +8,7 @@ namespace brdfplot::choice {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The largest cell (rad of the normal), and how a cell may grow with its distance from a mirroring normal.
 constexpr double coarsest = 0.11, growth = 0.35;
