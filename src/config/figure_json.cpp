@@ -2,6 +2,7 @@
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "config/figure_count.hpp"
+#include "config/figure_numbers.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
 #include "config/figure_sphere.hpp"
@@ -54,6 +55,7 @@ public:
         out.panels.push_back(panel(root["panels"][k], pointer, inner));
       });
     }
+    out.numbers = read_numbers(file_, out);
     return out;
   }
 
@@ -171,6 +173,7 @@ private:
     enter(scope, object, pointer);
     plot::PanelDescription out;
     out.title = substituted(object.value("title", ""), scope.words);
+    out.drawn = object.value("drawn", true);
     check_content(object, pointer);
     if (kind_ == plot::Kind::profile) return profile(object, pointer, std::move(out));
     if (kind_ == plot::Kind::spheres) return sphere(object, pointer, scope, std::move(out));

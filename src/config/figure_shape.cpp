@@ -1,4 +1,5 @@
 #include "config/figure_count.hpp"
+#include "config/figure_numbers.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_sphere.hpp"
 #include "config/shapes.hpp"
@@ -120,6 +121,8 @@ ShapePtr panel() {
   return named("panel", [] {
     return object_with_alternatives(
         {{"title", text(), false, "above the panel"},
+         {"drawn", boolean(), false,
+          "false: lines or polar panels that are in the CSV, for the caption's numbers, and not in the drawing"},
          {"x", axis(), false, "replaces keys of the figure's x"},
          {"y", axis(), false, "replaces keys of the figure's y"},
          {"value", axis(), false, "replaces keys of the figure's value"},
@@ -148,7 +151,8 @@ ShapePtr figure_shape() {
       {{"id", file_stem(), true, "name of its files"},
        {"kind", kind_of_panels(), true, "how it is drawn"},
        {"title", text(), true, "above the figure"},
-       {"caption", text(), true, "what it shows, with equation and parameters"},
+       {"caption", text(), true, "what it shows, with equation and parameters; {name} stands for one of its numbers"},
+       {"numbers", numbers_shape(), false, "numbers of the caption"},
        {"columns", whole_number(1, 8), false, "panels stand in rows of so many; default 1"},
        {"share", choice({"none", "rows", "all"}), false, "which panels share the range of values; default none"},
        {"tolerance", number({.min = 1e-13, .max = 1e-2}), false, "absolute, of integrals; default 1e-7"},

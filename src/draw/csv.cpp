@@ -41,28 +41,50 @@ bool has_errors(const Figure& figure) {
   });
 }
 
-void append_header(std::string& out, const Figure& figure) {
+std::string column_of(const Axis& axis, const char* fallback) { return axis.column.empty() ? fallback : axis.column; }
+
+/// The columns of what is swept: panels may sweep different variables, and a row has those of its own.
+std::vector<std::string> swept_columns(const Figure& figure) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const Panel& panel : figure.panels) {
+    add(column_of(panel.x, "x"));
+    if (figure.kind == Kind::heatmap) add(column_of(panel.y, "y"));
+  }
+  if (names.empty()) names.emplace_back("x");
+  return names;
+}
+
+void append_header(std::string& out, const Figure& figure, const std::vector<std::string>& swept) {
   const Panel none;
   const Panel& panel = figure.panels.empty() ? none : figure.panels.front();
-  const auto column = [&](const std::string& name, std::string_view fallback) {
+  out += figure.kind == Kind::heatmap ? "panel" : "panel,series";
+  const auto column = [&](const std::string& name) {
     out += ',';
-    append_field(out, name.empty() ? fallback : std::string_view(name));
+    append_field(out, name);
   };
-  out += "panel";
+  for (const std::string& name : swept) column(name);
   if (figure.kind == Kind::heatmap) {
-    column(panel.x.column, "x");
-    column(panel.y.column, "y");
-    column(panel.value ? panel.value->column : std::string(), "value");
+    column(panel.value ? column_of(*panel.value, "value") : "value");
   } else {
-    out += ",series";
-    column(panel.x.column, "x");
-    column(panel.y.column, "y");
-    if (has_errors(figure)) column((panel.y.column.empty() ? "y" : panel.y.column) + "_stderr", "");
+    column(column_of(panel.y, "y"));
+    if (has_errors(figure)) column(column_of(panel.y, "y") + "_stderr");
   }
   out += '\n';
 }
 
-void append_series(std::string& out, const Panel& panel, bool errors) {
+/// The cells of what is swept, each followed by a comma.
+void append_swept(std::string& out, const std::vector<std::string>& swept, const std::string& name, double value) {
+  for (const std::string& column : swept) {
+    if (column == name) append_number(out, value);
+    out += ',';
+  }
+}
+
+void append_series(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool errors) {
+  const std::string x = column_of(panel.x, "x");
   const bool profile = panel.sketch.has_value();
   const auto title = field(panel.title);
   for (const auto& series : panel.series) {
@@ -70,8 +92,7 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
     const auto start = title + "," + field(series.label) + ",";
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       out += start;
-      append_number(out, series.x[i]);
-      out += ',';
+      append_swept(out, swept, x, series.x[i]);
       if (!profile || !std::isnan(series.y[i])) append_number(out, series.y[i]);
       if (errors) out += ',';
       if (i < series.error.size()) append_number(out, series.error[i]);
@@ -80,9 +101,9 @@ void append_series(std::string& out, const Panel& panel, bool errors) {
   }
 }
 
-void append_notes(std::string& out, const Panel& panel, bool errors) {
+void append_notes(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool errors) {
   for (const Note& note : panel.notes) {
-    out += field(panel.title) + "," + field(note.label) + ",,";
+    out += field(panel.title) + "," + field(note.label) + "," + std::string(swept.size(), ',');
     append_number(out, note.value);
     if (errors) out += ',';
     if (errors) append_number(out, note.error);
@@ -90,16 +111,19 @@ void append_notes(std::string& out, const Panel& panel, bool errors) {
   }
 }
 
-void append_grid(std::string& out, const std::string& title, const Grid& grid) {
+void append_grid(std::string& out, const Panel& panel, const std::vector<std::string>& swept) {
   throw_if_interrupted();
+  const Grid& grid = *panel.grid;
+  const std::string title = field(panel.title), x = column_of(panel.x, "x"), y = column_of(panel.y, "y");
   const std::size_t width = grid.x.size();
   for (std::size_t i = 0; i < std::min(grid.value.size(), width * grid.y.size()); ++i) {
     out += title;
     out += ',';
-    append_number(out, grid.x[i % width]);
-    out += ',';
-    append_number(out, grid.y[i / width]);
-    out += ',';
+    for (const std::string& column : swept) {
+      if (column == x) append_number(out, grid.x[i % width]);
+      if (column == y) append_number(out, grid.y[i / width]);
+      out += ',';
+    }
     append_number(out, grid.value[i]);
     out += '\n';
   }
@@ -120,14 +144,15 @@ std::size_t estimate(const Figure& figure) {
 std::string to_csv(const Figure& figure) {
   std::string out;
   out.reserve(estimate(figure));
-  append_header(out, figure);
+  const std::vector<std::string> swept = swept_columns(figure);
+  append_header(out, figure, swept);
   const bool errors = has_errors(figure);
   for (const auto& panel : figure.panels) {
     if (figure.kind != Kind::heatmap) {
-      append_series(out, panel, errors);
-      append_notes(out, panel, errors);
+      append_series(out, panel, swept, errors);
+      append_notes(out, panel, swept, errors);
     } else if (panel.grid) {
-      append_grid(out, field(panel.title), *panel.grid);
+      append_grid(out, panel, swept);
     }
   }
   return out;

@@ -117,6 +117,7 @@ struct Panel {
   std::vector<Note> notes{};
   std::optional<Sketch> sketch{};   ///< profile only: its series are the parts of the surface, broken by NaN
   std::optional<Picture> picture{}; ///< spheres only: its series are the radiance along a diameter, not drawn
+  bool drawn = true;                ///< else it is in the CSV only
 };
 
 /// Which panels share the range of their value axis where it is automatic.
@@ -133,10 +134,12 @@ struct Figure {
 };
 
 /// The figure as one standalone SVG document (UTF-8, viewBox, text as text).
-/// \throws nothing that depends on the data; an empty figure gives an SVG with the title only.
+/// Panels that are not `drawn` are left out. \throws nothing that depends on the data; an empty figure gives an SVG
+/// with the title only.
 std::string to_svg(const Figure& figure);
 
-/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`. Where a
+/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`; where panels
+/// sweep different variables, a column for each, empty in the rows of the others. Where a
 /// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact. In a profile an empty
 /// y ends a part of the surface. One header line, LF, numbers in the shortest form that reads back to the same double;
 /// text fields quoted when needed (RFC 4180). Markup of labels is stripped ("θ_o" stays "θ_o": only braces go).

@@ -2,6 +2,7 @@
 #include "base/number.hpp"
 #include "figure/contour.hpp"
 #include "figure/description.hpp"
+#include "figure/numbers.hpp"
 #include "figure/profile/panel.hpp"
 #include "figure/sampling.hpp"
 #include "figure/series/compare.hpp"
@@ -232,8 +233,11 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
     } else {
       fill_curves(description, from, {store, threads}, first, styles, panel);
     }
+    panel.drawn = from.drawn;
     figure.panels.push_back(std::move(panel));
   }
+  figure.description = naming(one_line(description.id) + ", caption",
+                              [&] { return caption_with(description.caption, description.numbers, figure); });
   return figure;
 }
 

@@ -5,6 +5,7 @@
 
 #include "brdf/material.hpp"
 #include "draw/model.hpp"
+#include "figure/numbers.hpp"
 #include "simulation/store.hpp"
 
 #include <cstdint>
@@ -123,12 +124,14 @@ struct PanelDescription {
   std::optional<Term> compare_to;              ///< a simulated lobe with which series[0] is compared: see compare.hpp
   std::optional<ProfileDescription> profile{}; ///< profile: instead of series
   std::optional<SphereDescription> sphere{};   ///< spheres: instead of series
+  bool drawn = true;                           ///< else for the CSV and the numbers of the caption alone
 };
 
 struct FigureDescription {
   std::string id;
   std::string title;
-  std::string caption;
+  std::string caption; ///< {name} in it is one of `numbers`
+  std::vector<NumberDescription> numbers;
   Kind kind = Kind::lines;
   int columns = 1;
   Share share = Share::none;

@@ -26,10 +26,12 @@ struct MaskedPair {
 
 /// The declaration of `lambda` and its reading, shared by the two types that have it.
 inline ParameterSpec direction_factor_parameter() {
-  return {.key = "lambda",
-          .kind = ParameterKind::choice,
-          .doc = "factor of the azimuth difference (RTR4, Eqs. 9.29-9.30), or of both directions, fitted to surfaces",
-          .choices = direction_factor_names()};
+  return {
+      .key = "lambda",
+      .kind = ParameterKind::choice,
+      .doc = "factor of the azimuth difference (RTR4, Eqs. 9.29-9.30), or of both directions, fitted to surfaces; with "
+             "Smith's own Lambda the fitted one makes G2 worse: docs/direction_factor.md",
+      .choices = direction_factor_names()};
 }
 
 inline DirectionFactor direction_factor_from(const Values& values) {

@@ -345,3 +345,41 @@ TEST_CASE("figures: axes, labels and what only some kinds have") {
        "", "/panels/0/series/0/for_each/1/labels", "found 2 labels for 1 values"},
   });
 }
+
+TEST_CASE("figures: the numbers of a caption") {
+  const auto numbers = [](const std::string& number) { return R"("numbers": {"n": )" + number + R"(})"; };
+  // figure_text's caption is "C": a figure with numbers is written out.
+  const TempFolder folder;
+  const auto error_with = [&](const std::string& caption, const std::string& number,
+                              const std::string& kind = "lines") {
+    const std::string text = R"({"id": "f", "kind": ")" + kind + R"(", "title": "T", "caption": ")" + caption +
+                             R"(", )" + numbers(number) + ", " + x +
+                             R"(, "y": {"variable": "phi_m", "from": 0, "to": 1},
+      "material": {"distribution": {"type": "ggx", "alpha": 0.5}},
+      "panels": [{"title": "P", "series": [{"label": "s", "quantity": "d"}]}]})";
+    const auto path = folder.write("fig.json", text);
+    return error_of(folder, 2, [&] { config::load_figure(path); });
+  };
+  struct Wrong {
+    std::string caption, number, what;
+  };
+  const std::vector<Wrong> cases = {
+      {"{n}", R"({"series": "t", "x": 0.5})", "/numbers/n/series: unknown series \"t\""},
+      {"{n}", R"({"series": "s", "x": 0.5, "panel": "Q"})", "/numbers/n/panel: unknown panel \"Q\""},
+      {"{n}", R"({"series": "s", "x": 0.5, "panel": 2})", "/numbers/n/panel: found 2; accepted: 1 to 1"},
+      {"{n}", R"({"series": "s"})", "/numbers/n: accepted: one of \"x\" and \"take\""},
+      {"{n}", R"({"x": 0.5})", "/numbers/n: \"series\" is missing"},
+      {"{n}", R"({"series": "s", "x": 0.5, "from": 0.1})", "/numbers/n/from: not used beside \"x\""},
+      {"{n}", R"({"note": "s", "x": 0.5})", "/numbers/n/x: not used beside \"note\""},
+      {"{n}", R"({"series": "s", "note": "s"})", "/numbers/n: accepted: one of series, note, ratio, difference"},
+      {"{n}", R"({"ratio": [{"series": "s", "x": 0.5}, {"series": "t", "x": 0.5}]})", "/numbers/n/ratio/1/series"},
+      {"{n} {m}", R"({"series": "s", "x": 0.5})", "/caption: unknown number \"m\""},
+      {"C", R"({"series": "s", "x": 0.5})", "/numbers/n: the caption has no {n}"},
+  };
+  for (const auto& one : cases) {
+    CAPTURE(one.number);
+    const std::string error = error_with(one.caption, one.number);
+    CHECK_MESSAGE(contains(error, one.what), error);
+  }
+  CHECK(contains(error_with("{n}", R"({"series": "s", "take": "largest"})", "heatmap"), "/numbers/n/series: not used"));
+}

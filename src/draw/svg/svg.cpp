@@ -55,9 +55,8 @@ void draw_head(SvgWriter& svg, const PanelPlan& panel) {
   draw_legend(svg, panel.legend, {panel.plot.x - panel.insets.left + 4, panel.legend_top});
 }
 
-} // namespace
-
-std::string to_svg(const Figure& figure) {
+/// A figure of which all panels are drawn.
+std::string draw_figure(const Figure& figure) {
   const auto plan = plan_figure(figure);
   std::string out;
   out.reserve(16384);
@@ -77,6 +76,15 @@ std::string to_svg(const Figure& figure) {
   }
   out += "</svg>\n";
   return out;
+}
+
+} // namespace
+
+std::string to_svg(const Figure& figure) {
+  if (std::ranges::all_of(figure.panels, &Panel::drawn)) return draw_figure(figure);
+  Figure drawn = figure;
+  std::erase_if(drawn.panels, [](const Panel& panel) { return !panel.drawn; });
+  return draw_figure(drawn);
 }
 
 } // namespace brdfplot::plot
