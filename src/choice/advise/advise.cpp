@@ -35,13 +35,10 @@ struct Reference {
   Picture picture;
   std::size_t rings = 0;
 
-  Reference(const MaterialDescription& of, const AdviceScene& scene, double scale, std::size_t finer)
+  Reference(const MaterialDescription& of, const AdviceScene& scene, double scale, int threads)
       : material(of), renderer(std::make_unique<Renderer>(
-                          scene.lights, places_on_sphere(scene.view, scene.lights, fineness_of(of, scale)))) {
+                          scene.lights, places_on_sphere(scene.view, scene.lights, fineness_of(of, scale)), threads)) {
     picture = reference_picture(*renderer, material, scene, rings);
-    if (finer == 0) return;
-    const bool discs = std::ranges::any_of(scene.lights, [](const AdviceLight& light) { return light.radius > 0; });
-    if (discs) picture = renderer->picture(material, {LightModel::Kind::points, rings *= finer}, false);
   }
 
   PictureErrors errors(const MaterialDescription& other, const LightModel& light, const AdviceScene& scene,
@@ -62,22 +59,33 @@ Draft with_free_roughness(Draft draft) {
   return draft;
 }
 
+/// A model before it is evaluated: what it costs is known.
+struct Planned {
+  std::size_t rung, light;
+  double cost;
+};
+
 class Search {
 public:
   Search(const AdviceScene& scene, const AdvisedMaterial& material, const AdviceOptions& options)
       : scene_(scene), options_(options) {
     advice_.name = material.material.name;
     advice_.ladder = ladder_of(material, scene.lights);
-    for (const MaterialDescription& variant : advice_.ladder.variants) references_.emplace_back(variant, scene, 1.0, 0);
+    for (const MaterialDescription& variant : advice_.ladder.variants) {
+      references_.emplace_back(variant, scene, 1.0, options.threads);
+      coarse_.emplace_back(variant, scene, 0.5, options.threads);
+    }
     advice_.places = references_[0].renderer->places().at.size();
     advice_.rings = references_[0].rings;
   }
 
   MaterialAdvice run() {
     require_light();
-    evaluate_all();
+    plan();
+    walk_up();
+    add_steps_of_full();
     sort();
-    decide();
+    name_others();
     set_reached();
     return std::move(advice_);
   }
@@ -89,70 +97,117 @@ private:
       throw InputError(scene_.name, "no light reaches what is seen of \"" + advice_.name + "\"");
   }
 
-  /// One rung under all lights. What is fitted is fitted once for all that sample discs, and once for each other.
-  std::vector<Model> evaluate_rung(std::size_t rung) const {
-    std::vector<Model> out;
-    for (std::size_t light = 0; light < advice_.ladder.lights.size(); ++light) {
-      const LightModel& how = advice_.ladder.lights[light];
-      Model model{rung, light, 0, {}, {}};
-      const bool as_before = how.kind == LightModel::Kind::points && light > 0;
-      for (std::size_t v = 0; v < references_.size(); ++v) {
-        const Draft& draft = advice_.ladder.rungs[rung].drafts[v];
-        model.materials.push_back(as_before ? out[0].materials[v] : fitted(draft, references_[v], how));
-        const PictureErrors errors = references_[v].errors(model.materials[v], how, scene_, true);
-        if (v == 0 || errors.decisive() > model.errors.decisive()) model.errors = errors;
-      }
-      model.cost = shader_cost(model.materials[0], scene_.lights, how);
-      out.push_back(std::move(model));
-    }
-    return out;
+  void plan() {
+    const Ladder& ladder = advice_.ladder;
+    for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
+      for (std::size_t light = 0; light < ladder.lights.size(); ++light)
+        planned_.push_back(
+            {rung, light, shader_cost(ladder.rungs[rung].drafts[0].material, scene_.lights, ladder.lights[light])});
+    std::ranges::stable_sort(planned_, {}, &Planned::cost);
+    advice_.ladder_size = planned_.size();
   }
 
-  /// The draft or the draft fitted, whichever is nearer.
+  /// The draft or the draft fitted, whichever is nearer, at fewer places than errors are told of.
   MaterialDescription fitted(const Draft& draft, const Reference& reference, const LightModel& how) const {
     const bool points = how.kind == LightModel::Kind::points;
     const bool smaller = !points && advice_.ladder.lights[0].kind == LightModel::Kind::points;
     const Draft start = smaller ? with_free_roughness(draft) : draft;
     if (start.free.empty()) return start.material;
     // Few directions are enough for a fit, if what it is to be like has the same.
-    const LightModel model = points ? LightModel{LightModel::Kind::points, 2} : how;
+    const LightModel model = points ? LightModel{LightModel::Kind::points, 1} : how;
     const Picture target = points ? reference.renderer->picture(reference.material, model) : reference.picture;
     const MaterialDescription after = refitted(start, *reference.renderer, {target, model, scene_.exposure});
     const auto error = [&](const MaterialDescription& material) {
-      return compare(target, reference.renderer->picture(material, model), reference.renderer->places(),
+      return compare(target, reference.renderer->picture(material, model, false), reference.renderer->places(),
                      scene_.tolerance.metric, scene_.exposure)
           .decisive();
     };
     return error(after) < error(start.material) ? after : start.material;
   }
 
-  void evaluate_all() {
-    const std::size_t rungs = advice_.ladder.rungs.size(), lights = advice_.ladder.lights.size();
-    std::vector<std::vector<Model>> found(rungs);
-    std::mutex mutex;
+  /// Of each variant. What is fitted is fitted once for all models that sample discs, and once for each other.
+  std::vector<MaterialDescription> materials_of(const Planned& planned) {
+    const LightModel& how = advice_.ladder.lights[planned.light];
+    const std::pair key{planned.rung, static_cast<int>(how.kind)};
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto found = fits_.find(key); found != fits_.end()) return found->second;
+    }
+    std::vector<MaterialDescription> out;
+    for (std::size_t v = 0; v < coarse_.size(); ++v)
+      out.push_back(fitted(advice_.ladder.rungs[planned.rung].drafts[v], coarse_[v], how));
+    const std::lock_guard lock(mutex_);
+    return fits_.emplace(key, std::move(out)).first->second;
+  }
+
+  Model evaluated(const Planned& planned) {
+    Model model{planned.rung, planned.light, planned.cost, materials_of(planned), {}};
+    for (std::size_t v = 0; v < references_.size(); ++v) {
+      const PictureErrors errors =
+          references_[v].errors(model.materials[v], advice_.ladder.lights[planned.light], scene_, true);
+      if (v == 0 || errors.decisive() > model.errors.decisive()) model.errors = errors;
+    }
+    return model;
+  }
+
+  void evaluate(const std::vector<Planned>& some) {
+    std::vector<Model> found(some.size());
+    const std::size_t before = advice_.models.size();
     std::size_t done = 0;
-    parallel_for(rungs, options_.threads, [&](std::size_t k) {
-      found[k] = evaluate_rung(k);
-      const std::lock_guard lock(mutex);
-      done += lights;
-      if (options_.progress) options_.progress(done, rungs * lights);
+    parallel_for(some.size(), options_.threads, [&](std::size_t k) {
+      found[k] = evaluated(some[k]);
+      const std::lock_guard lock(progress_);
+      if (options_.progress) options_.progress(before + ++done, planned_.size());
     });
-    for (std::vector<Model>& some : found)
-      for (Model& model : some) advice_.models.push_back(std::move(model));
+    for (Model& model : found) advice_.models.push_back(std::move(model));
+  }
+
+  /// From the cheapest on, in blocks that do not depend on the number of threads, until one is within the tolerance.
+  void walk_up() {
+    constexpr std::size_t block = 32;
+    for (std::size_t first = 0; first < planned_.size() && !answer_; first += block) {
+      const auto begin = planned_.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto end = planned_.begin() + static_cast<std::ptrdiff_t>(std::min(first + block, planned_.size()));
+      evaluate({begin, end});
+      for (std::size_t k = first; k < advice_.models.size() && !answer_; ++k)
+        if (is_within(advice_.models[k])) answer_ = Planned{advice_.models[k].rung, advice_.models[k].light, 0};
+    }
+    walked_ = advice_.models.size();
+  }
+
+  bool is_within(Model& model) {
+    if (model.errors.decisive() > doubt * scene_.tolerance.value) return false;
+    verify(model);
+    return model.dense->decisive() <= scene_.tolerance.value;
+  }
+
+  /// The material in full, and each single simplification of it.
+  void add_steps_of_full() {
+    std::vector<Planned> more;
+    for (std::size_t k = walked_; k < planned_.size(); ++k) {
+      const std::vector<std::size_t>& levels = advice_.ladder.rungs[planned_[k].rung].levels;
+      const auto simpler = std::ranges::count_if(levels, [](std::size_t level) { return level > 0; });
+      if (simpler + (planned_[k].light > 0 ? 1 : 0) <= 1) more.push_back(planned_[k]);
+    }
+    evaluate(more);
   }
 
   void sort() {
-    std::ranges::stable_sort(advice_.models, [](const Model& a, const Model& b) {
-      return a.cost < b.cost || (!(b.cost < a.cost) && a.errors.decisive() < b.errors.decisive());
-    });
-    const auto full = std::ranges::find_if(advice_.models, [](const Model& m) { return m.rung == 0 && m.light == 0; });
-    advice_.full = static_cast<std::size_t>(full - advice_.models.begin());
+    std::ranges::stable_sort(advice_.models, {}, &Model::cost);
+    const auto place = [&](std::size_t rung, std::size_t light) {
+      const auto found =
+          std::ranges::find_if(advice_.models, [&](const Model& m) { return m.rung == rung && m.light == light; });
+      return static_cast<std::size_t>(found - advice_.models.begin());
+    };
+    advice_.full = place(0, 0);
+    if (answer_) advice_.answer = place(answer_->rung, answer_->light);
   }
 
   void verify(Model& model) {
     if (model.dense) return;
     if (dense_.empty()) {
-      for (const MaterialDescription& variant : advice_.ladder.variants) dense_.emplace_back(variant, scene_, 3.2, 2);
+      for (const MaterialDescription& variant : advice_.ladder.variants)
+        dense_.emplace_back(variant, scene_, 3.2, options_.threads);
       advice_.dense_places = dense_[0].renderer->places().at.size();
       advice_.dense_rings = dense_[0].rings;
     }
@@ -163,25 +218,22 @@ private:
     }
   }
 
-  void decide() {
+  /// The next cheaper one, the nearest of those that are cheaper, and the nearest within the budget.
+  void name_others() {
     std::vector<Model>& models = advice_.models;
-    for (std::size_t k = 0; k < models.size() && !advice_.answer; ++k) {
-      if (models[k].errors.decisive() > doubt * scene_.tolerance.value) continue;
-      verify(models[k]);
-      if (models[k].dense->decisive() <= scene_.tolerance.value) advice_.answer = k;
-    }
-    const std::size_t end = advice_.answer ? *advice_.answer : models.size();
-    for (std::size_t k = 0; k < end; ++k) {
-      if (advice_.answer && !(models[k].cost < models[end].cost)) break;
-      const auto better = [&](const std::optional<std::size_t>& than) {
-        return !than || decisive(models[k]) < decisive(models[*than]);
-      };
-      if (better(advice_.best_cheaper)) advice_.best_cheaper = k;
-      if (!advice_.next_cheaper || models[*advice_.next_cheaper].cost < models[k].cost) advice_.next_cheaper = k;
-      if (scene_.budget && models[k].cost <= *scene_.budget && better(advice_.best_in_budget))
+    const double below = advice_.answer ? models[*advice_.answer].cost : infinity;
+    const auto better = [&](std::size_t k, const std::optional<std::size_t>& than) {
+      return !than || decisive(models[k]) < decisive(models[*than]);
+    };
+    for (std::size_t k = 0; k < models.size() && models[k].cost < below; ++k) {
+      const auto& next = advice_.next_cheaper;
+      const bool dearer = !next || models[*next].cost < models[k].cost;
+      if (dearer || better(k, next)) advice_.next_cheaper = k;
+      if (better(k, advice_.best_cheaper)) advice_.best_cheaper = k;
+      if (scene_.budget && models[k].cost <= *scene_.budget && better(k, advice_.best_in_budget))
         advice_.best_in_budget = k;
     }
-    for (const auto& one : {advice_.next_cheaper, advice_.best_cheaper})
+    for (const auto& one : {advice_.next_cheaper, advice_.best_cheaper, advice_.best_in_budget})
       if (one) verify(models[*one]);
   }
 
@@ -211,7 +263,12 @@ private:
   const AdviceScene& scene_;
   const AdviceOptions& options_;
   MaterialAdvice advice_;
-  std::vector<Reference> references_, dense_;
+  std::vector<Reference> references_, coarse_, dense_;
+  std::vector<Planned> planned_; ///< by ascending cost
+  std::size_t walked_ = 0;       ///< so many of them were evaluated on the way to the answer
+  std::optional<Planned> answer_;
+  std::mutex mutex_, progress_;
+  std::map<std::pair<std::size_t, int>, std::vector<MaterialDescription>> fits_;
 };
 
 } // namespace

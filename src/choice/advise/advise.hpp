@@ -28,7 +28,10 @@ struct ReachedAngles {
 struct MaterialAdvice {
   std::string name;
   Ladder ladder;
-  std::vector<Model> models; ///< by ascending cost
+  std::size_t ladder_size = 0; ///< so many models there are
+  /// By ascending cost: those up to the answer and some more, of which none is cheaper; and the material in full with
+  /// each single simplification of it.
+  std::vector<Model> models;
   std::size_t full = 0;      ///< the material in full, with the most directions for each disc
   std::optional<std::size_t> answer;       ///< the cheapest within the tolerance
   std::optional<std::size_t> next_cheaper; ///< of the models that cost less, the dearest, or the cheapest if no answer
@@ -49,10 +52,10 @@ struct AdviceOptions {
   std::function<void(std::size_t done, std::size_t total)> progress{};
 };
 
-/// Every model of the ladder is evaluated at some hundred places, those whose decisive error is at most `doubt` times
-/// the tolerance at some ten times as many, from the cheapest on, until one is within it there: that is the answer.
-/// Errors depend on no tolerance, so a smaller one never has a cheaper answer. `doubt` says how far the two may differ:
-/// a cheaper model would have to be off by more at few places than at many for the answer not to be the cheapest.
+/// Models are evaluated at some hundred places, from the cheapest on; those whose decisive error is at most `doubt`
+/// times the tolerance are at some ten times as many. The first that is within the tolerance there is the answer: all
+/// that cost less have been seen to fail. Errors depend on no tolerance, so a smaller one never has a cheaper answer.
+/// `doubt` is how far the two errors may differ: a model that is off by more at few places is not looked at again.
 /// \throws InputError, MaterialError, AccuracyError
 MaterialAdvice advise(const AdviceScene& scene, const AdvisedMaterial& material, const AdviceOptions& options);
 

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/parallel.hpp"
 #include "brdf/evaluate.hpp"
 #include "choice/advise/draft.hpp"
 #include "sampling/sphere/cap_points.hpp"
@@ -40,8 +41,8 @@ double alpha_of(const Material& material, const std::string& term) {
 /// Adds rho c_i of one term under directions of light.
 class TermLight {
 public:
-  TermLight(const Material& material, const std::string& term, const Places& places)
-      : material_(material), term_(term), frames_(places.at),
+  TermLight(const Material& material, const std::string& term, std::span<const sphere::Place> places)
+      : material_(material), term_(term), frames_(places),
         channels_(static_cast<std::size_t>(channels_of(material, Quantity::brdf_cos, term))),
         rho_(channels_ * frames_.size()), out_(3 * frames_.size()) {}
 
@@ -76,10 +77,10 @@ private:
 };
 
 /// In each place the direction within the disc that is nearest to the mirrored viewer.
-std::vector<Direction> nearest_directions(const AdviceLight& light, const Places& places) {
+std::vector<Direction> nearest_directions(const AdviceLight& light, std::span<const sphere::Place> places) {
   const Direction middle = from_angles(light.theta, light.phi);
   std::vector<Direction> out;
-  for (const sphere::Place& place : places.at) {
+  for (const sphere::Place& place : places) {
     const Direction normal = sphere::frame_at(place).normal;
     const Direction mirrored = reflected({0, 0, 1}, normal);
     const double along = std::clamp(dot(mirrored, middle), -1.0, 1.0);
@@ -100,20 +101,18 @@ void add_disc_by_points(TermLight& lit, const AdviceLight& light, std::size_t ri
   }
 }
 
-} // namespace
-
-Picture Renderer::term_picture(const MaterialDescription& material, const TermDescription& term,
-                               const LightModel& model) const {
-  const Material built = build(alone(material, term));
-  TermLight lit(built, term.name, places_);
-  for (const AdviceLight& light : lights_) {
+/// Of some places.
+Picture part_of_picture(const Material& built, const TermDescription& term, const std::vector<AdviceLight>& lights,
+                        const LightModel& model, std::span<const sphere::Place> places) {
+  TermLight lit(built, term.name, places);
+  for (const AdviceLight& light : lights) {
     const bool disc = light.radius > 0 && model.kind != LightModel::Kind::punctual;
     if (disc && model.kind == LightModel::Kind::points) {
       add_disc_by_points(lit, light, model.rings);
     } else if (disc && has_lobe(term)) {
       const double alpha = alpha_of(built, term.name);
       const double widened = alpha + 0.5 * std::sin(light.radius);
-      lit.add(nearest_directions(light, places_), std::pow(alpha / widened, 2), light.irradiance.value);
+      lit.add(nearest_directions(light, places), std::pow(alpha / widened, 2), light.irradiance.value);
     } else {
       lit.add(from_angles(light.theta, light.phi), 1, light.irradiance.value);
     }
@@ -121,7 +120,27 @@ Picture Renderer::term_picture(const MaterialDescription& material, const TermDe
   return lit.take();
 }
 
-Picture Renderer::picture(const MaterialDescription& material, const LightModel& model, bool remember) {
+} // namespace
+
+Picture Renderer::term_picture(const MaterialDescription& material, const TermDescription& term,
+                               const LightModel& model, int threads) const {
+  const Material built = build(alone(material, term));
+  const std::size_t n = places_.at.size();
+  constexpr std::size_t block = 512;
+  Picture out(3 * n);
+  parallel_for((n + block - 1) / block, threads, [&](std::size_t k) {
+    const std::size_t first = k * block, count = std::min(block, n - first);
+    const auto some = std::span(places_.at).subspan(first, count);
+    const Picture part = part_of_picture(built, term, lights_, model, some);
+    for (std::size_t c = 0; c < 3; ++c)
+      std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(c * count), count,
+                  out.begin() + static_cast<std::ptrdiff_t>(c * n + first));
+  });
+  return out;
+}
+
+Picture Renderer::picture(const MaterialDescription& material, const LightModel& model, bool remember,
+                          int threads) {
   Picture sum(3 * places_.at.size());
   const std::string by = std::to_string(static_cast<int>(model.kind)) + ':' + std::to_string(model.rings) + ':';
   for (const TermDescription& term : material.terms) {
@@ -131,7 +150,7 @@ Picture Renderer::picture(const MaterialDescription& material, const LightModel&
       const std::lock_guard lock(mutex_);
       if (const auto found = known_.find(key); found != known_.end()) one = found->second;
     }
-    if (!one) one = term_picture(material, term, model);
+    if (!one) one = term_picture(material, term, model, threads);
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += (*one)[k];
     if (!remember) continue;
     const std::lock_guard lock(mutex_);
@@ -145,10 +164,10 @@ Picture reference_picture(Renderer& renderer, const MaterialDescription& materia
   // In the unit of the metric's just noticeable difference: 1 of Delta E, or 1 % of radiance.
   const double accepted = scene.tolerance.metric == Metric::delta_e ? 0.02 : 2e-4;
   rings = 4;
-  Picture last = renderer.picture(material, {LightModel::Kind::points, rings}, false);
+  Picture last = renderer.picture(material, {LightModel::Kind::points, rings}, false, renderer.threads());
   const bool discs = std::ranges::any_of(scene.lights, [](const AdviceLight& light) { return light.radius > 0; });
   while (discs) {
-    Picture finer = renderer.picture(material, {LightModel::Kind::points, 2 * rings}, false);
+    Picture finer = renderer.picture(material, {LightModel::Kind::points, 2 * rings}, false, renderer.threads());
     const PictureErrors change =
         compare(finer, last, renderer.places(), scene.tolerance.metric, scene.exposure);
     rings *= 2;

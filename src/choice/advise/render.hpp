@@ -16,7 +16,8 @@ namespace brdfplot::choice {
 /// each of which is computed once (`remember`). Any number of threads; results do not depend on it.
 class Renderer {
 public:
-  Renderer(const std::vector<AdviceLight>& lights, Places places) : lights_(lights), places_(std::move(places)) {}
+  Renderer(const std::vector<AdviceLight>& lights, Places places, int threads)
+      : lights_(lights), places_(std::move(places)), threads_(threads) {}
 
   const Places& places() const { return places_; }
 
@@ -26,13 +27,17 @@ public:
   ///             alpha')^2, alpha' = alpha + sin(radius) / 2 (Karis 2013); other terms by the middle of the disc
   ///   punctual  each disc as its middle
   /// \throws MaterialError, AccuracyError
-  Picture picture(const MaterialDescription& material, const LightModel& model, bool remember = true);
+  Picture picture(const MaterialDescription& material, const LightModel& model, bool remember = true, int threads = 1);
+
+  int threads() const { return threads_; }
 
 private:
-  Picture term_picture(const MaterialDescription& material, const TermDescription& term, const LightModel& model) const;
+  Picture term_picture(const MaterialDescription& material, const TermDescription& term, const LightModel& model,
+                       int threads) const;
 
   std::vector<AdviceLight> lights_;
   Places places_;
+  int threads_;
   std::mutex mutex_;
   std::map<std::string, Picture> known_; ///< by what a term is, with what it depends on, and the light model
 };

@@ -117,8 +117,9 @@ private:
 
   void proof() {
     const std::size_t below = advice_.answer ? cheaper() : advice_.models.size();
-    std::string text = std::to_string(advice_.models.size()) + " models at " + std::to_string(advice_.places) +
-                       " places, all evaluated; " + std::to_string(below) + " are cheaper";
+    std::string text = std::to_string(advice_.ladder_size) + " models; " +
+                       (advice_.answer ? "the " + std::to_string(below) + " cheaper ones" : "they are") +
+                       " all evaluated at " + std::to_string(advice_.places) + " places";
     if (advice_.best_cheaper) {
       const Model& m = model(*advice_.best_cheaper);
       text += ", the nearest of which is off by " + short_number(decisive(m)) + " (cost " + whole(m.cost) + ")";
