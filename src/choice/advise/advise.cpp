@@ -35,10 +35,12 @@ struct Reference {
   Picture picture;
   std::size_t rings = 0;
 
-  Reference(const MaterialDescription& of, const AdviceScene& scene, double scale, int threads)
+  /// With so many rings for each disc, or, for 0, as many as it needs.
+  Reference(const MaterialDescription& of, const AdviceScene& scene, double scale, std::size_t with_rings, int threads)
       : material(of), renderer(std::make_unique<Renderer>(
                           scene.lights, places_on_sphere(scene.view, scene.lights, fineness_of(of, scale)), threads)) {
-    picture = reference_picture(*renderer, material, scene, rings);
+    rings = with_rings > 0 ? with_rings : rings_for(*renderer, material, scene);
+    picture = renderer->picture(material, {LightModel::Kind::points, rings}, false, threads);
   }
 
   PictureErrors errors(const MaterialDescription& other, const LightModel& light, const AdviceScene& scene,
@@ -72,8 +74,8 @@ public:
     advice_.name = material.material.name;
     advice_.ladder = ladder_of(material, scene.lights);
     for (const MaterialDescription& variant : advice_.ladder.variants) {
-      references_.emplace_back(variant, scene, 1.0, options.threads);
-      coarse_.emplace_back(variant, scene, 0.5, options.threads);
+      references_.emplace_back(variant, scene, 1.0, 0, options.threads);
+      coarse_.emplace_back(variant, scene, 0.4, references_.back().rings, options.threads);
     }
     advice_.places = references_[0].renderer->places().at.size();
     advice_.rings = references_[0].rings;
@@ -206,10 +208,9 @@ private:
   void verify(Model& model) {
     if (model.dense) return;
     if (dense_.empty()) {
-      for (const MaterialDescription& variant : advice_.ladder.variants)
-        dense_.emplace_back(variant, scene_, 3.2, options_.threads);
+      for (const Reference& one : references_)
+        dense_.emplace_back(one.material, scene_, 3.2, one.rings, options_.threads);
       advice_.dense_places = dense_[0].renderer->places().at.size();
-      advice_.dense_rings = dense_[0].rings;
     }
     for (std::size_t v = 0; v < dense_.size(); ++v) {
       const PictureErrors errors =

@@ -38,7 +38,7 @@ struct MaterialAdvice {
   std::optional<std::size_t> best_cheaper; ///< of the models that cost less, the one with the least error
   std::optional<std::size_t> best_in_budget;
   std::size_t places = 0, dense_places = 0;
-  std::size_t rings = 0, dense_rings = 0; ///< of the reference
+  std::size_t rings = 0; ///< of directions of each disc, in what models are held against
   ReachedAngles reached;
 
   bool within_budget(const AdviceScene& scene) const {

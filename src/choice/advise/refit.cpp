@@ -171,7 +171,7 @@ MaterialDescription refitted(const Draft& draft, Renderer& renderer, const FitTa
   Eigen::VectorXd now = residuals.at(x);
   Eigen::MatrixXd j = jacobian(residuals, coordinates, x, now);
   double damping = 1e-3;
-  for (int iteration = 0; iteration < 6; ++iteration) {
+  for (int iteration = 0; iteration < 4; ++iteration) {
     const Eigen::MatrixXd normal = j.transpose() * j;
     const Eigen::VectorXd gradient = j.transpose() * now;
     Eigen::MatrixXd damped = normal;
@@ -187,7 +187,7 @@ MaterialDescription refitted(const Draft& draft, Renderer& renderer, const FitTa
     x = y;
     now = next;
     damping *= 0.2;
-    if (after > 0.99 * before) break;
+    if (after > 0.97 * before) break;
     j = jacobian(residuals, coordinates, x, now);
   }
   return with(start, coordinates, x);

@@ -159,28 +159,25 @@ Picture Renderer::picture(const MaterialDescription& material, const LightModel&
   return sum;
 }
 
-Picture reference_picture(Renderer& renderer, const MaterialDescription& material, const AdviceScene& scene,
-                          std::size_t& rings) {
-  // In the unit of the metric's just noticeable difference: 1 of Delta E, or 1 % of radiance.
-  const double accepted = scene.tolerance.metric == Metric::delta_e ? 0.02 : 2e-4;
-  rings = 4;
-  Picture last = renderer.picture(material, {LightModel::Kind::points, rings}, false, renderer.threads());
-  const bool discs = std::ranges::any_of(scene.lights, [](const AdviceLight& light) { return light.radius > 0; });
-  while (discs) {
-    Picture finer = renderer.picture(material, {LightModel::Kind::points, 2 * rings}, false, renderer.threads());
-    const PictureErrors change =
-        compare(finer, last, renderer.places(), scene.tolerance.metric, scene.exposure);
-    rings *= 2;
+std::size_t rings_for(Renderer& renderer, const MaterialDescription& material, const AdviceScene& scene) {
+  const double accepted = scene.tolerance.metric == Metric::delta_e ? 0.1 : 1e-3;
+  if (std::ranges::none_of(scene.lights, [](const AdviceLight& light) { return light.radius > 0; })) return 4;
+  const auto with = [&](std::size_t rings) {
+    return renderer.picture(material, {LightModel::Kind::points, rings}, false, renderer.threads());
+  };
+  Picture last = with(4);
+  for (std::size_t rings = 8;; rings *= 2) {
+    Picture finer = with(rings);
+    const PictureErrors change = compare(finer, last, renderer.places(), scene.tolerance.metric, scene.exposure);
     last = std::move(finer);
-    if (change.decisive() < accepted) break;
+    if (change.decisive() < accepted) return rings;
     if (rings >= 64)
       throw AccuracyError(material.name, "with " + std::to_string(4 * rings * rings) +
                                              " directions for each disc of light the picture still changes by " +
                                              format_number(change.decisive()) + " (accepted: " +
-                                             format_number(accepted) + "); a smaller disc or a rougher material needs "
-                                             "fewer");
+                                             format_number(accepted) +
+                                             "); a smaller disc or a rougher material needs fewer");
   }
-  return last;
 }
 
 } // namespace brdfplot::choice

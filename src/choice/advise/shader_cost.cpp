@@ -12,15 +12,15 @@ namespace {
 
 using forms::Counted3;
 
-/// What coats take from the terms beneath them, at the viewer or at a light.
+/// What coats take from the terms beneath them, at the viewer or at a light: a factor once for all terms of a coat.
 class CoatForms {
 public:
   explicit CoatForms(const MaterialDescription& material) : material_(material) {}
 
-  void view(const TermDescription& term, int channels) const {
+  void view(const TermDescription& term) const {
     for_each(term, [&](const LayerDescription& layer, const TermDescription& coat) {
       const std::string how = attenuation_of(layer);
-      if (how == "both" || how == "half") by_fresnel(coat, channels);
+      if (how == "both" || how == "half") by_fresnel(coat);
       if (how == "albedo") forms::read_table(1);
       if (tinted(layer)) (void)(Counted(1.5) / sqrt(Counted(1.25) + Counted(0.5) * Counted(0.5)));
     });
@@ -28,26 +28,31 @@ public:
   void light(const TermDescription& term, int channels) const {
     for_each(term, [&](const LayerDescription& layer, const TermDescription& coat) {
       const std::string how = attenuation_of(layer);
-      if (how == "both") by_fresnel(coat, channels);
-      if (how == "half_vector") multiply(channels); // F(o.h) is the coat's own
+      if (how == "both") by_fresnel(coat);
       if (how == "albedo") {
         forms::read_table(1);
         (void)min(Counted(0.5), Counted(0.6));
-        multiply(channels);
       }
       if (!tinted(layer)) return;
-      Counted path = Counted(1.5) / sqrt(Counted(1.25) + Counted(0.5) * Counted(0.5)) + Counted(1.0);
-      for (int c = 0; c < channels; ++c) path *= exp2(path * Counted(-0.5));
+      const Counted path = Counted(1.5) / sqrt(Counted(1.25) + Counted(0.5) * Counted(0.5)) + Counted(1.0);
+      for (int c = 0; c < 3; ++c) (void)(Counted(0.5) * exp2(path * Counted(-0.5)));
     });
+    for (const LayerDescription& layer : term.layers) // F(o.h) of `half_vector` is the coat's own
+      for (int c = 0; c < channels && !layer.coat.empty() && attenuation_of(layer) != "none"; ++c)
+        (void)(Counted(0.5) * Counted(0.5));
   }
 
 private:
+  /// Of the layers that are met first with this term.
   template <class Visit>
   void for_each(const TermDescription& term, const Visit& visit) const {
     for (const LayerDescription& layer : term.layers) {
       if (layer.coat.empty()) continue;
       const auto coat = std::ranges::find(material_.terms, layer.coat, &TermDescription::name);
-      if (coat != material_.terms.end()) visit(layer, *coat);
+      const auto first = std::ranges::find_if(material_.terms, [&](const TermDescription& other) {
+        return std::ranges::any_of(other.layers, [&](const auto& l) { return l.name == layer.name && !l.coat.empty(); });
+      });
+      if (coat != material_.terms.end() && first->name == term.name) visit(layer, *coat);
     }
   }
   static std::string attenuation_of(const LayerDescription& layer) {
@@ -56,14 +61,10 @@ private:
   static bool tinted(const LayerDescription& layer) {
     return layer.values.has("tint") && layer.values.rgb("tint") != Rgb{1, 1, 1};
   }
-  static void multiply(int channels) {
-    for (int c = 0; c < channels; ++c) (void)(Counted(0.5) * Counted(0.5));
-  }
-  /// (1 - w F) of each channel that F has, times what is beneath.
-  static void by_fresnel(const TermDescription& coat, int channels) {
+  /// 1 - w F of each channel that F has.
+  static void by_fresnel(const TermDescription& coat) {
     forms::fresnel(coat.fresnel);
     for (int c = 0; c < forms::channels_of(coat.fresnel); ++c) (void)(Counted(1) - Counted(0.5) * Counted(0.5));
-    multiply(channels);
   }
 
   const MaterialDescription& material_;
@@ -116,7 +117,7 @@ ShaderOperations shader_operations(const MaterialDescription& material) {
   ShaderOperations out;
   out.view = counted_over(material, [&](const TermDescription& term) {
     is_flat(term) ? forms::flat_view(term) : forms::mirror_view(term);
-    coats.view(term, channels_of_term(term));
+    coats.view(term);
   });
   out.light = counted_over(material, [&](const TermDescription& term) {
     light_of(term);

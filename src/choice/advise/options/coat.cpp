@@ -59,8 +59,8 @@ bool drop_coat(Draft& draft, const std::string& name, const std::string& coat) {
 Option option_of(const LayerDescription& layer) {
   const std::string name = layer.name, coat = layer.coat, part = "coat " + name;
   Option option{part, {}};
-  const std::vector<std::string> ways = {"both", "half", "half_vector", "none"};
-  const auto given = std::ranges::find(ways, attenuation_of(layer));
+  const std::vector<std::string> ways = {"both", "half", "none"};
+  const auto given = std::ranges::find(ways, attenuation_of(layer)); // half_vector and albedo have but none after them
   for (auto way = given == ways.end() ? ways.end() - 1 : given + 1; way < ways.end(); ++way)
     option.steps.push_back({part + ": attenuation " + *way + " (was " + attenuation_of(layer) + ")",
                             [name, how = *way](Draft& d) { return attenuate(d, name, how); }});

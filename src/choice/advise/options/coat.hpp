@@ -6,7 +6,7 @@
 
 namespace brdfplot::choice {
 
-/// Attenuation both ways -> the viewer's way (half) -> at the half vector -> none -> the coat left out, whose base is
+/// Attenuation both ways -> the viewer's way (half) -> none -> the coat left out, whose base is
 /// fitted anew; and the tint left out.
 struct LighterCoat {
   static std::vector<Option> of(const MaterialDescription& material);
