@@ -27,6 +27,12 @@ double read_tolerance(const std::string& text, double fallback) {
   return *value;
 }
 
-void print(const std::string& text) { write_text_file("-", text); }
+void print(const std::string& text) {
+  try {
+    write_text_file("-", text);
+  } catch (const ClosedPipe&) {
+    return; // who reads a part of a table, as head does, has what he wanted
+  }
+}
 
 } // namespace brdfplot::cli

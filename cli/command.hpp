@@ -37,6 +37,7 @@ Command add_report(CLI::App& app, const Settings& settings);
 Command add_sample(CLI::App& app, const Settings& settings);
 Command add_simulate(CLI::App& app, const Settings& settings);
 Command add_list(CLI::App& app);
+Command add_help(CLI::App& app);
 Command add_schema(CLI::App& app);
 Command add_validate(CLI::App& app, const Settings& settings);
 
@@ -49,7 +50,7 @@ void require_argument(bool given, const std::string& command, const std::string&
 /// The value of --tolerance; `fallback` when it is not given. \throws InputError
 double read_tolerance(const std::string& text, double fallback);
 
-/// Text to stdout, all of it or a FileError.
+/// Text to stdout, all of it or a FileError; what reads a pipe may stop early.
 void print(const std::string& text);
 
 } // namespace brdfplot::cli

@@ -123,28 +123,37 @@ std::string describe(const ModelSpec& spec) {
   return out;
 }
 
+/// A model or a quantity of a section.
+struct Item {
+  std::string name, doc;
+  std::string whole; ///< with parameters, domains and sources; empty: the line of name and doc is all
+};
+
 template <class List>
-std::string describe_list(const std::string& title) {
-  std::string out = title + "\n";
-  for (const auto& spec : specs_of<List>()) out += describe(spec);
+std::vector<Item> items_of() {
+  std::vector<Item> items;
+  for (const auto& spec : specs_of<List>()) items.push_back({spec.type, spec.doc, describe(spec)});
+  return items;
+}
+
+std::string describe_term(const TermSpec& term) {
+  std::string out = describe(term.spec);
+  if (term.of_another) out += wrapped("", "Takes \"of\": the name of a term beside it, or a term.", text_column);
+  if (term.of_layers) out += wrapped("", "Takes \"coat\": a term, and \"base\": a list of terms.", text_column);
+  if (term.has_distribution && !term.has_surface)
+    out += wrapped("", "Takes \"distribution\", \"fresnel\".", text_column);
+  if (term.has_surface)
+    out += wrapped("",
+                   std::string("Takes \"distribution\", \"masking\", \"shadowing\"") +
+                       (term.has_fresnel ? ", \"fresnel\"." : "."),
+                   text_column);
   return out;
 }
 
-std::string describe_terms() {
-  std::string out = "Terms of a BRDF (\"terms\" of a material), each with \"name\" and \"weight\"\n";
-  for (const TermSpec& term : term_specs()) {
-    out += describe(term.spec);
-    if (term.of_another) out += wrapped("", "Takes \"of\": the name of a term beside it, or a term.", text_column);
-    if (term.of_layers) out += wrapped("", "Takes \"coat\": a term, and \"base\": a list of terms.", text_column);
-    if (term.has_distribution && !term.has_surface)
-      out += wrapped("", "Takes \"distribution\", \"fresnel\".", text_column);
-    if (term.has_surface)
-      out += wrapped("",
-                     std::string("Takes \"distribution\", \"masking\", \"shadowing\"") +
-                         (term.has_fresnel ? ", \"fresnel\"." : "."),
-                     text_column);
-  }
-  return out;
+std::vector<Item> terms() {
+  std::vector<Item> items;
+  for (const TermSpec& term : term_specs()) items.push_back({term.spec.type, term.spec.doc, describe_term(term)});
+  return items;
 }
 
 std::string needs_of(const QuantityInfo& info) {
@@ -155,58 +164,84 @@ std::string needs_of(const QuantityInfo& info) {
   return joined(needs, ", ");
 }
 
-std::string describe_quantities() {
-  Lines all;
+std::vector<Item> quantity_items() {
+  std::vector<Item> items;
   const auto add = [&](const std::string& name, const std::string& doc, const std::string& needs, bool coloured) {
-    all.lines.emplace_back(name, doc + "; needs " + needs +
-                                     (coloured ? "; per channel where a colour of the material is" : ""));
+    items.push_back(
+        {name, doc + "; needs " + needs + (coloured ? "; per channel where a colour of the material is" : ""), ""});
   };
   for (const auto& info : quantities()) add(info.name, info.doc, needs_of(info), info.coloured());
   for (const auto& info : integrals()) add(info.name, info.doc, "omega_o", info.coloured);
   const DensityInfo density;
   add(density.name, density.doc, needs_of(info_of(Quantity::brdf)), false);
-  return "Quantities (brdfplot eval -q)\n" + all.aligned(name_column);
+  return items;
 }
 
-std::string describe_measures() {
-  Lines all;
-  for (const auto& spec : simulation::measure_specs())
-    all.lines.emplace_back(spec.type, spec.doc + (spec.keys.empty() ? "" : "; takes " + joined(spec.keys, ", ")) +
-                                          "; [" + spec.source + "]");
-  return "Measures of a scene (\"measures\")\n" + all.aligned(name_column);
+std::vector<Item> measures() {
+  std::vector<Item> items;
+  for (const auto& spec : simulation::measure_specs()) {
+    const std::string keys = spec.keys.empty() ? "" : "; takes " + joined(spec.keys, ", ");
+    items.push_back({spec.type, spec.doc + keys + "; [" + spec.source + "]", ""});
+  }
+  return items;
 }
 
 struct Section {
-  std::string name;
-  std::string (*describe)();
+  std::string name, title;
+  std::vector<Item> (*items)();
+
+  /// A line each.
+  std::string brief() const {
+    Lines lines;
+    for (const Item& item : items()) lines.lines.emplace_back(item.name, item.doc);
+    return title + "\n" + lines.aligned(name_column);
+  }
+  std::string whole() const {
+    std::string out = title + "\n";
+    for (const Item& item : items()) {
+      if (item.whole.empty()) return brief();
+      out += item.whole;
+    }
+    return out;
+  }
 };
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      {"distributions", [] { return describe_list<Distribution>("Distributions of normals (\"distribution\")"); }},
-      {"masking", [] { return describe_list<Masking>("Masking functions (\"masking\")"); }},
-      {"shadowing", [] { return describe_list<Shadowing>("Masking with shadowing (\"shadowing\")"); }},
-      {"fresnel", [] { return describe_list<Fresnel>("Fresnel terms (\"fresnel\")"); }},
-      {"terms", describe_terms},
-      {"quantities", describe_quantities},
-      {"surfaces", [] { return describe_list<simulation::Surface>("Surfaces (\"surface\" of a scene)"); }},
-      {"measures", describe_measures},
-      {"profiles",
-       [] { return describe_list<plot::ProfileSurface>("Surfaces in profile (\"surface\" of a profile)"); }},
+      {"distributions", "Distributions of normals (\"distribution\")", items_of<Distribution>},
+      {"masking", "Masking functions (\"masking\")", items_of<Masking>},
+      {"shadowing", "Masking with shadowing (\"shadowing\")", items_of<Shadowing>},
+      {"fresnel", "Fresnel terms (\"fresnel\")", items_of<Fresnel>},
+      {"terms", "Terms of a BRDF (\"terms\" of a material), each with \"name\" and \"weight\"", terms},
+      {"quantities", "Quantities (brdfplot eval -q)", quantity_items},
+      {"surfaces", "Surfaces (\"surface\" of a scene)", items_of<simulation::Surface>},
+      {"measures", "Measures of a scene (\"measures\")", measures},
+      {"profiles", "Surfaces in profile (\"surface\" of a profile)", items_of<plot::ProfileSurface>},
   };
   return all;
 }
 
-int run(const std::string& wanted) {
+/// All sections in short, a section, or everything of one name, each in the section that it is in.
+std::string listed(const std::string& wanted) {
   std::string out;
   std::vector<std::string> names;
-  for (const auto& section : sections()) {
+  for (const Section& section : sections()) {
     names.push_back(section.name);
-    if (wanted.empty() || wanted == section.name) out += (out.empty() ? "" : "\n") + section.describe();
+    if (wanted.empty()) out += (out.empty() ? "" : "\n") + section.brief();
+    if (wanted == section.name) return section.whole();
   }
-  if (out.empty()) throw InputError("list", unknown_name("section", wanted, names));
-  print(out);
-  return 0;
+  if (wanted.empty()) return out + "\nbrdfplot list NAME tells of its parameters, domains and source.\n";
+  for (const Section& section : sections())
+    for (const Item& item : section.items()) {
+      names.push_back(item.name);
+      if (item.name != wanted) continue;
+      out += (out.empty() ? "" : "\n") + section.title + "\n";
+      out += item.whole.empty()
+                 ? wrapped(std::string(name_column, ' ') + item.name, item.doc, name_column + item.name.size() + gap)
+                 : item.whole;
+    }
+  if (out.empty()) throw InputError("list", unknown_name("section or name", wanted, names));
+  return out;
 }
 
 } // namespace
@@ -215,12 +250,15 @@ Command add_list(CLI::App& app) {
   const auto wanted = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("list", "Models and quantities, with their parameters and sources");
   command
-      ->add_option("section", *wanted,
-                   "distributions, masking, shadowing, fresnel, terms, quantities, surfaces, measures or profiles; "
-                   "default: all")
-      ->type_name("SECTION");
-  command->footer(footer("brdfplot list distributions"));
-  return {command, [wanted] { return run(*wanted); }};
+      ->add_option("name", *wanted,
+                   "A model or a quantity, or all of distributions, masking, shadowing, fresnel, terms, quantities, "
+                   "surfaces, measures or profiles; default: everything in short")
+      ->type_name("NAME");
+  command->footer(footer("brdfplot list ggx"));
+  return {command, [wanted] {
+            print(listed(*wanted));
+            return 0;
+          }};
 }
 
 } // namespace brdfplot::cli

@@ -49,7 +49,7 @@ std::string check_when(const std::string& text) {
 
 void add_global_flags(CLI::App& app, cli::Settings& settings) {
   app.set_help_flag("-h,--help", "Print this help and exit");
-  app.set_version_flag("--version", "brdfplot " + std::string(version), "Print the version and exit");
+  app.set_version_flag("-V,--version", "brdfplot " + std::string(version), "Print the version and exit");
   app.add_option("--threads", settings.threads, "How many threads compute; default: all")
       ->type_name("N")
       ->check(CLI::Validator(check_threads, ""));
@@ -82,6 +82,7 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
                                               cli::add_simulate(app, settings),
                                               cli::add_convert(app, settings),
                                               cli::add_list(app),
+                                              cli::add_help(app),
                                               cli::add_schema(app),
                                               cli::add_validate(app, settings)};
   for (const auto& command : commands) command.app->group("Commands");
@@ -96,8 +97,12 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   } catch (const CLI::ParseError& error) {
     throw cli::usage_error(app, error);
   }
-  for (const auto& command : commands)
-    if (command.app->parsed()) return command.run();
+  for (const auto& command : commands) {
+    if (!command.app->parsed()) continue;
+    const int code = command.run();
+    cli::print_warnings(settings);
+    return code;
+  }
   throw cli::no_command(app);
 }
 
@@ -115,6 +120,7 @@ int main(int argc, char** argv) {
     cli::print_error(settings, error.what());
     _exit(error.exit_code()); // work that could not be interrupted may still be running
   } catch (const Error& error) {
+    cli::print_warnings(settings);
     cli::print_error(settings, error.what());
     return error.exit_code();
   } catch (const std::bad_alloc&) {

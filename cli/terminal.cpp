@@ -1,5 +1,7 @@
 #include "terminal.hpp"
 
+#include "base/warnings.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -53,6 +55,17 @@ void print_error(const Settings& settings, std::string_view message) {
   for (const char c : message.substr(0, line.size() - start.size() - 1)) *end++ = c == '\n' || c == '\r' ? ' ' : c;
   *end++ = '\n';
   write_to_stderr({line.begin(), end});
+}
+
+void print_warnings(const Settings& settings) {
+  for (std::string text : take_warnings()) {
+    if (settings.quiet) continue;
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    write_to_stderr(
+        (coloured(settings, STDERR_FILENO) ? "brdfplot: \x1b[1;33mwarning:\x1b[0m " : "brdfplot: warning: ") + text +
+        "\n");
+  }
 }
 
 bool colours_stdout(const Settings& settings) { return coloured(settings, STDOUT_FILENO); }

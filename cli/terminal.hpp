@@ -16,6 +16,9 @@ namespace brdfplot::cli {
 /// none left.
 void print_error(const Settings& settings, std::string_view message);
 
+/// What has been kept of warnings (base/warnings.hpp), a line `brdfplot: warning: ...` each; nothing with --quiet.
+void print_warnings(const Settings& settings);
+
 /// Whether what is written to stdout may have colour: --color, NO_COLOR and whether it is a terminal decide.
 bool colours_stdout(const Settings& settings);
 

@@ -30,6 +30,12 @@ public:
   FileError(const std::string& where, const std::string& what) : Error(3, where, what) {}
 };
 
+/// Nobody reads the pipe that is written to any more.
+class ClosedPipe : public FileError {
+public:
+  using FileError::FileError;
+};
+
 /// A number that could not be computed to the accuracy asked; the message gives the estimate reached.
 class AccuracyError : public Error {
 public:

@@ -36,8 +36,9 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<double> parse_angle(std::string_view text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
   if (text.ends_with("rad")) return parse_number(text.substr(0, text.size() - 3));
-  if (!text.ends_with("deg")) return parse_number(text);
-  const auto degrees = parse_number(text.substr(0, text.size() - 3));
+  const std::string_view unit = text.ends_with("deg") ? "deg" : text.ends_with("°") ? "°" : "";
+  if (unit.empty()) return parse_number(text);
+  const auto degrees = parse_number(text.substr(0, text.size() - unit.size()));
   if (!degrees) return std::nullopt;
   return *degrees / 180 * std::numbers::pi;
 }

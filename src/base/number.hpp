@@ -17,7 +17,7 @@ std::string format_number(double value);
 /// `inf` and `nan` are read as such; out-of-range text gives the nearest double (0 or infinity).
 std::optional<double> parse_number(std::string_view text);
 
-/// Reads an angle in radians: a number, or one with a unit, "80deg" or "1.5rad". Nothing when it is none.
+/// Reads an angle in radians: a number, or one with a unit, "80deg", "80°" or "1.5rad". Nothing when it is none.
 std::optional<double> parse_angle(std::string_view text);
 
 } // namespace brdfplot

@@ -112,7 +112,10 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
-void OutputFile::fail(int error) const { throw FileError(echo(name_, shown_path), "cannot write: " + reason(error)); }
+void OutputFile::fail(int error) const {
+  if (error == EPIPE) throw ClosedPipe(echo(name_, shown_path), "cannot write: " + reason(error));
+  throw FileError(echo(name_, shown_path), "cannot write: " + reason(error));
+}
 
 void OutputFile::write(std::string_view text) {
   while (!text.empty()) {

@@ -126,9 +126,7 @@ ShapePtr advice_shape() {
 choice::AdviceScene load_advice(const std::string& path) {
   const JsonFile file(path);
   static const ShapePtr shape = advice_shape();
-  if (file.root().is_object() && file.root().contains("surface"))
-    file.fail("", "found a scene with a \"surface\", which `brdfplot simulate` takes; accepted: one with \"materials\" "
-                  "and \"lights\"");
+  expect_kind(file, "advice");
   file.check(*shape);
   const Json& root = file.root();
   choice::AdviceScene scene;

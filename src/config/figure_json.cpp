@@ -1,12 +1,14 @@
 #include "base/errors.hpp"
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/warnings.hpp"
 #include "config/figure_count.hpp"
 #include "config/figure_numbers.hpp"
 #include "config/figure_profile.hpp"
 #include "config/figure_scope.hpp"
 #include "config/figure_sphere.hpp"
 #include "config/load.hpp"
+#include "config/quick_figure.hpp"
 #include "config/shapes.hpp"
 #include "figure/series/simulated.hpp"
 
@@ -77,8 +79,16 @@ private:
     if (object.contains("channel"))
       scope.set({"channel", object["channel"].get<std::string>()}, step(pointer, "channel"));
     if (!object.contains("at")) return;
-    for (const auto& [variable, value] : object["at"].items())
+    for (const auto& [variable, value] : object["at"].items()) {
+      mind_degrees(variable, value, step(pointer + "/at", variable));
       scope.set(to_setting(variable, value), step(pointer + "/at", variable));
+    }
+  }
+
+  /// Warns of an angle whose unit was forgotten.
+  void mind_degrees(const std::string& variable, const Json& value, const std::string& pointer) const {
+    if (value.is_number() && (variable.starts_with("theta_") || variable.starts_with("phi_")))
+      warn_of_degrees(file_.where(pointer), variable, value.get<double>());
   }
 
   /// One variable of a `for_each`, and where it stands.
@@ -118,6 +128,7 @@ private:
     for (std::size_t k = 0; k < values.size(); ++k) {
       throw_if_interrupted();
       Scope inner = scope;
+      mind_degrees(variable, values[k], place + "/values/" + std::to_string(k));
       inner.set(to_setting(variable, values[k]), place + "/values/" + std::to_string(k));
       inner.words[variable] = loop.contains("labels") ? loop["labels"][k].get<std::string>() : word_for(values[k]);
       nest(loops, depth + 1, inner,
@@ -144,6 +155,8 @@ private:
     if (merged.contains("from")) axis.from = to_number(merged["from"]);
     if (merged.contains("to")) axis.to = to_number(merged["to"]);
     const std::string place = axis_place(panel, pointer, key);
+    for (const char* end : {"from", "to"})
+      if (swept && merged.contains(end)) mind_degrees(axis.column, merged[end], step(place, end));
     if (swept && axis.column.empty())
       file_.fail(place, "\"variable\" of \"" + key + "\" is missing: what is swept along this axis");
     if (swept && (std::isnan(axis.from) || std::isnan(axis.to)))
@@ -159,6 +172,17 @@ private:
     return axis;
   }
 
+  /// The text at `key`, with the words of what `for_each` runs over.
+  std::string worded(const Json& object, const std::string& pointer, const std::string& key, const Scope& scope) const {
+    const std::string text = substituted(object.value(key, ""), scope.words);
+    for (const std::string& name : plot::names_in(text)) {
+      std::vector<std::string> names;
+      for (const auto& [variable, word] : scope.words) names.push_back(variable);
+      file_.fail(step(pointer, key), unknown_name("variable of for_each", name, names));
+    }
+    return text;
+  }
+
   /// A panel has what its kind draws: a profile, a sphere or else series.
   void check_content(const Json& object, const std::string& pointer) const {
     for (const auto& [kind, key] : {std::pair{plot::Kind::profile, "profile"}, {plot::Kind::spheres, "sphere"}}) {
@@ -172,7 +196,7 @@ private:
   plot::PanelDescription panel(const Json& object, const std::string& pointer, Scope scope) {
     enter(scope, object, pointer);
     plot::PanelDescription out;
-    out.title = substituted(object.value("title", ""), scope.words);
+    out.title = worded(object, pointer, "title", scope);
     out.drawn = object.value("drawn", true);
     check_content(object, pointer);
     if (kind_ == plot::Kind::profile) return profile(object, pointer, std::move(out));
@@ -192,7 +216,7 @@ private:
       const std::string at = pointer + "/series/" + std::to_string(k);
       const Json& one = object["series"][k];
       for_each(one, at, scope, [&](const Scope& inner, std::optional<double> ramp) {
-        out.series.push_back({substituted(one.value("label", ""), inner.words), expression(one, at, inner), ramp});
+        out.series.push_back({worded(one, at, "label", inner), expression(one, at, inner), ramp});
       });
     }
     if (object.contains("compare_to")) out.compare_to = compared(object["compare_to"], pointer, scope, out);
@@ -293,12 +317,25 @@ private:
 
 } // namespace
 
-FigureFile load_figure(const std::string& path) {
-  const JsonFile file(path);
+namespace {
+
+plot::FigureDescription read_figure(const JsonFile& file) {
   static const ShapePtr shape = figure_shape();
   file.check(*shape);
   check_count(file);
-  return {Reader(file).figure(), file.text()};
+  return Reader(file).figure();
+}
+
+} // namespace
+
+FigureFile load_figure(const std::string& path) {
+  const JsonFile file(path);
+  expect_kind(file, "figure");
+  return {read_figure(file), file.text()};
+}
+
+plot::FigureDescription load_quick_figure(const QuickFigure& figure) {
+  return read_figure(JsonFile("plot", quick_figure(figure, ".")));
 }
 
 } // namespace brdfplot::config

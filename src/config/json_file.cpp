@@ -150,7 +150,9 @@ const Json* find(const Json& document, const Json::json_pointer& place) {
 
 } // namespace
 
-JsonFile::JsonFile(const std::string& path) : path_(path), text_(read_text_file(path, most_bytes)) {
+JsonFile::JsonFile(const std::string& path) : JsonFile(path, read_text_file(path, most_bytes)) {}
+
+JsonFile::JsonFile(const std::string& path, std::string text) : path_(path), text_(std::move(text)) {
   std::vector<std::string> trail;
   const Origin here{"", path, ""};
   root_ = expand(parse(path, text_), "", here, trail);

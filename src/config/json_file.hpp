@@ -18,6 +18,8 @@ public:
   /// stands in; no FILE: the same file). \throws FileError, InputError (syntax, duplicate keys, a reference that leads
   /// nowhere or to itself).
   explicit JsonFile(const std::string& path);
+  /// The same of a text that is no file: errors say `path`, and references are relative to its folder.
+  JsonFile(const std::string& path, std::string text);
 
   const Json& root() const { return root_; }
   const std::string& path() const { return path_; }

@@ -259,6 +259,7 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
 
 MaterialDescription load_material(const std::string& path) {
   const JsonFile file(path);
+  expect_kind(file, "material");
   static const ShapePtr shape = material_shape(true);
   file.check(*shape);
   return read_material(file, file.root(), "");

@@ -150,6 +150,7 @@ ShapePtr report_shape() {
 
 ReportFile load_report(const std::string& path) {
   const JsonFile file(path);
+  expect_kind(file, "report");
   static const ShapePtr shape = report_shape();
   file.check(*shape);
   const Json& root = file.root();
@@ -210,14 +211,43 @@ std::string schema(const std::string& kind) {
   return json_schema(*shape, "brdfplot " + kind).dump(2) + "\n";
 }
 
+std::string kind_of_file(const JsonFile& file) {
+  const Json& root = file.root();
+  if (!root.is_object()) file.fail("", "found " + show(root) + ", accepted: an object");
+  if (root.contains("panels") || root.contains("kind")) return "figure";
+  if (root.contains("entries")) return "report";
+  if (root.contains("surface") || root.contains("measures")) return "scene";
+  if (root.contains("materials")) return "advice";
+  return "material";
+}
+
+namespace {
+
+std::string with_article(const std::string& kind) {
+  return kind == "advice" ? "a scene with materials and lights" : "a " + kind;
+}
+
+} // namespace
+
+void expect_kind(const JsonFile& file, const std::string& kind) {
+  const std::string found = kind_of_file(file);
+  const Json& root = file.root();
+  // A file without a key that tells is of the kind that is wanted.
+  if (found == kind || (found == "material" && !root.contains("distribution") && !root.contains("terms"))) return;
+  const std::string takes = found == "figure"   ? "plot"
+                            : found == "report" ? "report"
+                            : found == "scene"  ? "simulate"
+                                                : "eval, plot -q, check, fit, sample";
+  file.fail("", "found " + with_article(found) + " (brdfplot " + takes + "), accepted: " + with_article(kind));
+}
+
 std::string validate(const std::string& path) {
-  const JsonFile file(path);
-  if (!file.root().is_object()) file.fail("", "found " + show(file.root()) + ", accepted: an object");
-  if (file.root().contains("panels") || file.root().contains("kind")) return load_figure(path), "figure";
-  if (file.root().contains("entries")) return load_report(path), "report";
-  if (file.root().contains("surface")) return load_scene(path), "scene";
-  if (file.root().contains("materials") && file.root().contains("lights")) return load_advice(path), "advice";
-  return load_material(path), "material";
+  const std::string kind = kind_of_file(JsonFile(path));
+  if (kind == "figure") return load_figure(path), kind;
+  if (kind == "report") return load_report(path), kind;
+  if (kind == "scene") return load_scene(path), kind;
+  if (kind == "advice") return load_advice(path), kind;
+  return load_material(path), kind;
 }
 
 std::string report_record(const ReportFile& report, const std::string& version, const std::vector<EntryRecord>& entries,

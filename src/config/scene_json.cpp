@@ -75,10 +75,8 @@ ShapePtr scene_shape() {
 
 simulation::SceneDescription load_scene(const std::string& path) {
   const JsonFile file(path);
+  expect_kind(file, "scene");
   static const ShapePtr shape = scene_shape();
-  if (file.root().is_object() && file.root().contains("materials"))
-    file.fail("", "found a scene with \"materials\", which `brdfplot advise` takes; accepted: one with a \"surface\" and "
-                  "\"measures\"");
   file.check(*shape);
   const Json& root = file.root();
   simulation::SceneDescription scene;

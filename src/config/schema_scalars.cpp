@@ -55,7 +55,9 @@ public:
     if (value.is_number()) return true;
     if (!value.is_string()) return false;
     const auto words = value.get<std::string>();
-    if (words.find("deg") == std::string::npos && words.find("rad") == std::string::npos) return false;
+    if (words.find("deg") == std::string::npos && words.find("°") == std::string::npos &&
+        words.find("rad") == std::string::npos)
+      return false;
     const auto angle = parse_angle(words);
     return angle && std::isfinite(*angle);
   }
@@ -63,7 +65,7 @@ public:
 
 private:
   static constexpr const char* pattern_ =
-      "^[ \\t\\r]*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?[ \\t\\r]*(deg|rad)[ \\t\\r]*$";
+      "^[ \\t\\r]*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?[ \\t\\r]*(deg|°|rad)[ \\t\\r]*$";
 };
 
 class Text : public Shape {

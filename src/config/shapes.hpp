@@ -17,6 +17,12 @@ ShapePtr report_shape();
 ShapePtr scene_shape();
 ShapePtr advice_shape();
 
+/// What a file is, by its keys: "figure", "report", "scene" or "material". \throws InputError when it is no object
+std::string kind_of_file(const JsonFile& file);
+
+/// \throws InputError where a file is clearly of another kind: which, and what takes it.
+void expect_kind(const JsonFile& file, const std::string& kind);
+
 /// A material at `pointer` of `file`, which has been checked against material_shape. Built once, so that what only
 /// building finds (two alternatives at once, shadowing that masking does not allow) is told with its place.
 MaterialDescription read_material(const JsonFile& file, const Json& value, const std::string& pointer);

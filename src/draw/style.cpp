@@ -43,12 +43,6 @@ constexpr std::array<std::string_view, 6> ramp_dark = {"#8087ff", "#b07cf0", "#d
 
 constexpr std::array<std::string_view, 6> dashes = {"", "8 3", "2.5 2.5", "9 3 2 3", "5 2.5", "9 2.5 2 2.5 2 2.5"};
 
-void append_rule(std::string& css, std::string_view selector, std::string_view property, std::string_view name,
-                 std::string_view value) {
-  css.append(selector).append("{").append(property).append(":").append(value).append(";");
-  css.append(property).append(":var(--bp-").append(name).append(",").append(value).append(")}\n");
-}
-
 std::string light_value(const std::string& colour) {
   for (const auto& entry : palette) {
     if (entry.name == colour) return std::string(entry.light);
@@ -97,22 +91,29 @@ Look look_of(int style, const std::optional<double>& ramp, int order) {
   return {std::string(palette[static_cast<std::size_t>(index % count)].name), index % count + index / count};
 }
 
-void append_colour_rules(std::string& css, const std::string& colour) {
-  const auto value = light_value(colour);
-  append_rule(css, ".bp-" + colour, "stroke", colour, value);
-  append_rule(css, ".bp-f-" + colour, "fill", colour, value);
+void StyleSheet::add_rule(std::string_view selector, std::string_view property, std::string_view name,
+                          std::string_view value) {
+  plain_.append(selector).append("{").append(property).append(":").append(value).append("}\n");
+  themed_.append(selector).append("{").append(property).append(":var(--bp-").append(name);
+  themed_.append(",").append(value).append(")}\n");
 }
 
-void append_map_rules(std::string& css, bool diverging) {
+void StyleSheet::add_colour(const std::string& colour) {
+  const auto value = light_value(colour);
+  add_rule(".bp-" + colour, "stroke", colour, value);
+  add_rule(".bp-f-" + colour, "fill", colour, value);
+}
+
+void StyleSheet::add_map(bool diverging) {
   for (int i = 0; i < map_colours; ++i) {
-    css.append(diverging ? ".bp-d" : ".bp-q").append(std::to_string(i)).append("{fill:");
-    css.append(hex(diverging ? diverging_colour(i) : sequential_colour(i))).append("}\n");
+    plain_.append(diverging ? ".bp-d" : ".bp-q").append(std::to_string(i)).append("{fill:");
+    plain_.append(hex(diverging ? diverging_colour(i) : sequential_colour(i))).append("}\n");
   }
 }
 
-void append_chrome_rules(std::string& css) {
+void StyleSheet::add_chrome() {
   const auto rule = [&](std::string_view selector, std::string_view property, std::size_t colour) {
-    append_rule(css, selector, property, chrome[colour].name, chrome[colour].light);
+    add_rule(selector, property, chrome[colour].name, chrome[colour].light);
   };
   rule(".bp-bg", "fill", 0);
   rule(".bp-ink", "fill", 1);
@@ -122,9 +123,12 @@ void append_chrome_rules(std::string& css) {
   rule(".bp-grid", "stroke", 4);
   rule(".bp-nan", "fill", 5);
   rule(".bp-hatch", "stroke", 3);
-  css += ".bp-halo{stroke:#fff}\n.bp-contour{stroke:#111}\n.bp-no{fill:none}\n";
-  css += ".bp-veil{paint-order:stroke;stroke-width:4;stroke-linejoin:round;stroke:#fff;stroke:var(--bp-bg,#fff)}\n";
+  rule(".bp-veil", "stroke", 0);
+  plain_ += ".bp-halo{stroke:#fff}\n.bp-contour{stroke:#111}\n.bp-no{fill:none}\n";
+  plain_ += ".bp-veil{paint-order:stroke;stroke-width:4;stroke-linejoin:round}\n";
 }
+
+std::string StyleSheet::text() const { return plain_ + "@supports (fill:var(--bp-ink)){\n" + themed_ + "}\n"; }
 
 void append_dark_variables(std::string& css) {
   for (const auto& entry : chrome) append_variable(css, entry.name, entry.dark);

@@ -73,15 +73,24 @@ struct Look {
 /// The look of a series of the given style or place in a ramp; `order` alternates the dashes of a ramp.
 Look look_of(int style, const std::optional<double>& ramp, int order);
 
-/// Appends the rule that defines the colour class of a look for strokes (`bp-<name>`) and fills (`bp-f-<name>`). The
-/// plain value comes first for renderers without CSS variables.
-void append_colour_rules(std::string& css, const std::string& colour);
+/// A style sheet. Colours that a page may replace are rules with their light value, and once more with the CSS variable
+/// inside `@supports`: renderers without variables (resvg, CairoSVG) take no fallback of a declaration, but skip that.
+class StyleSheet {
+public:
+  /// The colour class of a look for strokes (`bp-<name>`) and fills (`bp-f-<name>`).
+  void add_colour(const std::string& colour);
+  /// The fills of a heat map's colours: `bp-q<i>` of the sequential map, `bp-d<i>` of the diverging one.
+  void add_map(bool diverging);
+  /// Everything that is not data.
+  void add_chrome();
 
-/// Appends the fills of a heat map's colours: `bp-q<i>` of the sequential map, `bp-d<i>` of the diverging one.
-void append_map_rules(std::string& css, bool diverging);
+  std::string text() const;
 
-/// Appends the rules for everything that is not data.
-void append_chrome_rules(std::string& css);
+private:
+  void add_rule(std::string_view selector, std::string_view property, std::string_view name, std::string_view value);
+
+  std::string plain_, themed_;
+};
 
 /// Appends `--bp-...` variables with the dark values of all the colours, for a rule of a page's style sheet.
 void append_dark_variables(std::string& css);

@@ -5,6 +5,8 @@
 #include "math/formula.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <numeric>
 #include <utility>
 
@@ -162,8 +164,62 @@ std::variant<Values, ParameterError> complete(const ModelSpec& spec, const Value
   return all;
 }
 
+namespace {
+
+/// Lower case, without what only joins words: "alphaX" and "alpha_x" are the same.
+std::string plain(std::string_view name) {
+  std::string out;
+  for (const char c : name)
+    if (c != '_' && c != '-' && c != ' ') out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+/// What other programs call it.
+std::string_view usual_name(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> names = {{{"ior", "eta"},
+                                                                                    {"int_ior", "eta"},
+                                                                                    {"n", "eta"},
+                                                                                    {"base_color", "albedo"},
+                                                                                    {"reflectance", "albedo"},
+                                                                                    {"reflectivity", "f0"},
+                                                                                    {"anisotropy", "disney_anisotropy"},
+                                                                                    {"trowbridge_reitz", "ggx"},
+                                                                                    {"metal", "conductor"},
+                                                                                    {"glass", "dielectric"},
+                                                                                    {"charlie", "sheen"},
+                                                                                    {"uncorrelated", "separable"}}};
+  for (const auto& [other, ours] : names)
+    if (plain(other) == plain(name)) return ours;
+  return name;
+}
+
+/// The accepted name that is the same word, or the only one that is a whole word of `name` ("smith-ggx").
+std::optional<std::string> same_word(std::string_view name, const std::vector<std::string>& accepted) {
+  const std::string_view usual = usual_name(name);
+  for (const std::string& other : accepted)
+    if (plain(other) == plain(usual)) return other;
+  std::vector<std::string> words(1);
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      words.back() += c;
+    else
+      words.emplace_back();
+  }
+  std::optional<std::string> found;
+  for (const std::string& other : accepted) {
+    const bool is_word =
+        std::ranges::any_of(words, [&](const std::string& word) { return plain(word) == plain(other); });
+    if (is_word && found) return std::nullopt;
+    if (is_word) found = other;
+  }
+  return found;
+}
+
+} // namespace
+
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& accepted) {
   if (name.size() > longest_name) return std::nullopt;
+  if (auto found = same_word(name, accepted)) return found;
   const auto distance = [&](std::string_view other) {
     std::vector<std::size_t> row(other.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -3,9 +3,11 @@
 #include "base/echo.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
+#include "base/warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace brdfplot {
 
@@ -25,7 +27,7 @@ std::string column_name(std::size_t slot) {
 
 } // namespace
 
-DirectionColumns::DirectionColumns(const std::string& header, const std::string& where) {
+DirectionColumns::DirectionColumns(const std::string& header, const std::string& where) : where_(where) {
   const std::string row = header + '\n';
   for (FieldScanner scanner(row); !scanner.at_end();) {
     const std::string name = unquoted(scanner.next());
@@ -75,6 +77,8 @@ std::optional<std::string> DirectionColumns::read_row(FieldScanner& scanner,
       scanner.next();
     else if (!scanner.next_number(numbers[slots_[column]]))
       problem = read_number(scanner.next(), column, numbers[slots_[column]]);
+    else
+      mind_degrees(column, numbers[slots_[column]]);
     ++column;
   } while (!scanner.row_ended());
   if (scanner.cut()) return "a quote is not closed";
@@ -88,6 +92,7 @@ std::optional<std::string> DirectionColumns::read_number(std::string_view field,
                                                          double& number) const {
   const bool angle = slots_[column] % slots_per_letter < first_cartesian;
   auto read = parse_number(field);
+  if (read) mind_degrees(column, *read);
   if (!read) {
     const std::string text = unquoted(field);
     read = angle ? parse_angle(text) : parse_number(text);
@@ -97,6 +102,12 @@ std::optional<std::string> DirectionColumns::read_number(std::string_view field,
            "\", accepted: a finite number" + (angle ? " (radians, or with a unit: 80deg)" : "");
   number = *read;
   return std::nullopt;
+}
+
+void DirectionColumns::mind_degrees(std::size_t column, double plain) const {
+  const bool angle = slots_[column] % slots_per_letter < first_cartesian;
+  if (!angle || !(std::abs(plain) > 2 * std::numbers::pi) || warned_->exchange(true)) return;
+  warn_of_degrees(where_, names_[column], plain);
 }
 
 std::optional<std::string> DirectionColumns::read_directions(const Numbers& numbers,

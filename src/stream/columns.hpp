@@ -6,6 +6,8 @@
 #include "stream/rows.hpp"
 
 #include <array>
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,12 +41,16 @@ private:
 
   void choose_form(std::size_t letter, const std::string& where);
   std::optional<std::string> read_number(std::string_view field, std::size_t column, double& number) const;
+  /// Warns, once, of a plain number that must be degrees.
+  void mind_degrees(std::size_t column, double plain) const;
   std::optional<std::string> read_directions(const Numbers& numbers,
                                              std::array<Direction, letter_count>& directions) const;
 
+  std::string where_; ///< the header
   std::vector<std::string> names_;
   std::vector<std::size_t> slots_; ///< of every column
   std::array<Form, letter_count> forms_{};
+  std::shared_ptr<std::atomic<bool>> warned_ = std::make_shared<std::atomic<bool>>(false); ///< of degrees, once
 };
 
 } // namespace brdfplot

@@ -32,18 +32,32 @@ std::vector<std::string> output_names(const StreamPlan& plan) {
   return names;
 }
 
+/// "; found: theta, z_o": what the header has, for an error of what it lacks.
+std::string found_columns(const StreamPlan& plan) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min<std::size_t>(plan.columns.names().size(), 20); ++k)
+    text += (text.empty() ? "" : ", ") + echo(plan.columns.names()[k]);
+  return "; found: " + text;
+}
+
 /// Whether the columns are all that the quantities need. WHERE of what is missing is `where`.
 void require_columns(const StreamPlan& plan, const std::string& where) {
   using enum Letter;
   Material placed = plan.material;
   placed.name = where; // require() names the material as the place
   for (const auto& quantity : plan.options.quantities) {
-    if (const auto* info = quantity.closed_form())
-      require(placed, *info, plan.columns.has(o), plan.columns.has(i), plan.columns.has(m), quantity.term);
-    else if (quantity.is_density()) // of two directions, as the BRDF is
-      require(placed, info_of(Quantity::brdf), plan.columns.has(o), plan.columns.has(i), false);
-    else if (!plan.columns.has(o))
-      throw InputError(where, "\"" + quantity.name + "\" needs omega_o: theta_o [phi_o] or x_o y_o z_o");
+    try {
+      if (const auto* info = quantity.closed_form())
+        require(placed, *info, plan.columns.has(o), plan.columns.has(i), plan.columns.has(m), quantity.term);
+      else if (quantity.is_density()) // of two directions, as the BRDF is
+        require(placed, info_of(Quantity::brdf), plan.columns.has(o), plan.columns.has(i), false);
+      else if (!plan.columns.has(o))
+        throw InputError(where, "\"" + quantity.name + "\" needs omega_o: theta_o [phi_o] or x_o y_o z_o");
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      if (what.find(" needs omega_") == std::string::npos) throw;
+      throw InputError("", what + found_columns(plan));
+    }
   }
   for (const auto& name : output_names(plan))
     if (std::ranges::find(plan.columns.names(), name) != plan.columns.names().end())

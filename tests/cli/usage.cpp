@@ -52,8 +52,8 @@ TEST_CASE("the example of every help works as printed") {
 TEST_CASE("what is misspelt names the nearest") {
   const Folder folder;
   check_error(folder, "brdfplot", 2,
-              {"no command", "accepted: eval, plot, check, fit, report, sample, simulate, convert, list, schema, "
-                             "validate"});
+              {"no command", "accepted: eval, plot, check, fit, report, sample, simulate, convert, list, help, "
+                             "schema, validate"});
   check_error(folder, "brdfplot evla", 2, {"unknown command \"evla\"", "did you mean \"eval\"?", "accepted: eval"});
   check_error(folder, "brdfplot eval --toleranse 1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
   check_error(folder, "brdfplot eval --toleranse=1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
@@ -127,21 +127,80 @@ TEST_CASE("colour where it is asked for") {
   CHECK(coloured.find("error:\x1b[0m command line: unknown command") != std::string::npos);
 }
 
-TEST_CASE("list") {
+TEST_CASE("list: everything in short, a section or a name in full") {
   const Folder folder;
   const std::string all = check_output(folder, "brdfplot list");
-  std::string parts;
+  for (const char* word : {"beckmann", "ggx", "phong", "gtr", "smith_rational", "v_cavity", "height_correlated",
+                           "conductor", "weak_furnace", "velvet_cloth", "bounces", "brdfplot list NAME"})
+    CHECK(all.find(word) != std::string::npos);
+  CHECK(all.find("a number in") == std::string::npos);
   for (const char* section : {"distributions", "masking", "shadowing", "fresnel", "terms", "quantities", "surfaces",
                               "measures", "profiles"}) {
     const std::string part = check_output(folder, "brdfplot list " + std::string(section));
-    CHECK_FALSE(part.empty());
-    parts += (parts.empty() ? "" : "\n") + part;
+    CHECK(all.find(part.substr(0, part.find('\n'))) != std::string::npos);
   }
-  CHECK(all == parts);
-  for (const char* word :
-       {"beckmann", "ggx", "phong", "gtr", "smith_rational", "v_cavity", "height_correlated", "conductor",
-        "weak_furnace", "a number in [1e-06, 1e+06]", "default 5", "[Heitz 2014, Eq. 35]"})
-    CHECK(all.find(word) != std::string::npos);
-  std::istringstream lines(all);
+  for (const auto& [name, words] :
+       std::vector<std::pair<std::string, std::string>>{{"ggx", "a number in [1e-06, 1e+06]"},
+                                                        {"schlick", "default 5"},
+                                                        {"height_correlated", "[Ross et al. 2005; Heitz 2014, Eq. 99]"},
+                                                        {"albedo", "needs omega_o"}}) {
+    const std::string one = check_output(folder, "brdfplot list " + name);
+    CHECK_MESSAGE(one.find(words) != std::string::npos, one);
+  }
+  // One name, two models.
+  const std::string both = check_output(folder, "brdfplot list kelemen");
+  CHECK(both.find("Masking functions") != std::string::npos);
+  CHECK(both.find("Terms of a BRDF") != std::string::npos);
+  std::istringstream lines(all + check_output(folder, "brdfplot list terms"));
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+}
+
+TEST_CASE("help and version in the words that people try") {
+  const Folder folder;
+  CHECK(check_output(folder, "brdfplot -V") == check_output(folder, "brdfplot --version"));
+  CHECK(check_output(folder, "brdfplot help") == check_output(folder, "brdfplot --help"));
+  CHECK(check_output(folder, "brdfplot help plot") == check_output(folder, "brdfplot plot --help"));
+  check_error(folder, "brdfplot help plott", 2, {"\"plott\"", "did you mean \"plot\"?"});
+  CHECK(run(folder, "brdfplot list | head -n 1").err.empty());
+}
+
+TEST_CASE("names as other programs have them") {
+  const Folder folder;
+  const auto error_of = [&](const std::string& material, const std::string& wanted) {
+    folder.write("m.json", material);
+    check_error(folder, "brdfplot validate m.json", 2, {"did you mean \"" + wanted + "\"?"});
+  };
+  error_of(R"({"distribution": {"type": "GGX", "alpha": 0.3}})", "ggx");
+  error_of(R"({"distribution": {"type": "smith-ggx", "alpha": 0.3}})", "ggx");
+  error_of(R"({"distribution": {"type": "ggx", "alphaX": 0.3, "alpha_y": 0.2}})", "alpha_x");
+  error_of(R"({"distribution": {"type": "ggx", "alpha": 0.3}, "fresnel": {"type": "dielectric", "ior": 1.5}})", "eta");
+  error_of(R"({"distribution": {"type": "Trowbridge-Reitz", "alpha": 0.3}})", "ggx");
+}
+
+TEST_CASE("files of the wrong kind, and headers without what is asked for") {
+  const Folder folder;
+  check_error(folder, "brdfplot eval configs/figures/felt.json -q g1 -i configs/points/theta_o.csv", 2,
+              {"felt.json: /: found a figure (brdfplot plot), accepted: a material"});
+  check_error(folder, "brdfplot plot configs/materials/ggx.json -o out", 2,
+              {"found a material", "plot -q", "a figure"});
+  check_error(folder, "brdfplot simulate configs/materials/ggx.json", 2, {"found a material", "accepted: a scene"});
+  check_error(folder, "brdfplot report configs/scenes/gaussian.json -o out", 2, {"found a scene (brdfplot simulate)"});
+  check_error(folder, "printf 'theta,angle\n1,2\n' | brdfplot eval configs/materials/ggx.json -q g1", 2,
+              {"needs omega_o", "found: theta, angle"});
+}
+
+TEST_CASE("degrees without their unit are computed as radians, with a warning") {
+  const Folder folder;
+  const std::string eval = "brdfplot eval configs/materials/ggx.json -q g1";
+  const Outcome plain = run(folder, "printf 'theta_o\n60\n61\n' | " + eval);
+  CHECK(plain.code == 0);
+  CHECK(plain.err == "brdfplot: warning: -:1: theta_o = 60 rad is more than a full circle; 60deg?\n");
+  CHECK(run(folder, "printf 'theta_o\n60\n' | " + eval + " --quiet").err.empty());
+  CHECK(run(folder, "printf 'theta_o\n60deg\n1.2\n' | " + eval).err.empty());
+  CHECK(check_output(folder, "printf 'theta_o\n60°\n' | " + eval + " | tail -n 1 | cut -d, -f2") ==
+        check_output(folder, "printf 'theta_o\n60deg\n' | " + eval + " | tail -n 1 | cut -d, -f2"));
+  const Outcome figure = run(folder, "brdfplot plot configs/materials/ggx.json -q brdf --at theta_o=45 -o a.svg");
+  CHECK(figure.code == 0);
+  CHECK(figure.err.find("warning: plot: /at/theta_o: theta_o = 45 rad is more than a full circle; 45deg?") !=
+        std::string::npos);
 }

@@ -383,3 +383,11 @@ TEST_CASE("figures: the numbers of a caption") {
   }
   CHECK(contains(error_with("{n}", R"({"series": "s", "take": "largest"})", "heatmap"), "/numbers/n/series: not used"));
 }
+
+TEST_CASE("figures: names in labels and titles are those of for_each") {
+  check_all({
+      {R"("series": [{"label": "α = {alpa}", "quantity": "d", "for_each": {"variable": "alpha", "values": [0.1, 0.2]}}])",
+       "", "/panels/0/series/0/label", "unknown variable of for_each \"alpa\"; did you mean \"alpha\"?"},
+      {R"("title": "{alpha}", )" + series, "", "/panels/0/title", "accepted: none"},
+  });
+}

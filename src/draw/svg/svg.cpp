@@ -32,19 +32,20 @@ void append_description(std::string& out, const Figure& figure, const FigurePlan
 }
 
 void append_style(std::string& out, const FigurePlan& plan) {
-  out += "<style>\n";
-  append_chrome_rules(out);
+  StyleSheet style;
+  style.add_chrome();
   std::set<std::string> colours;
   for (const auto& panel : plan.panels) {
     if (panel.panel->grid) continue;
     for (const auto& look : panel.looks) colours.insert(look.colour);
   }
-  for (const auto& colour : colours) append_colour_rules(out, colour);
+  for (const auto& colour : colours) style.add_colour(colour);
   for (const bool diverging : {false, true}) {
     const auto uses = [&](const PanelPlan& p) { return p.panel->grid && is_diverging(p) == diverging; };
-    if (std::any_of(plan.panels.begin(), plan.panels.end(), uses)) append_map_rules(out, diverging);
+    if (std::any_of(plan.panels.begin(), plan.panels.end(), uses)) style.add_map(diverging);
   }
-  out += ".bp-line{stroke-linejoin:round}\n.bp-cells{shape-rendering:crispEdges}\n</style>\n";
+  out +=
+      "<style>\n" + style.text() + ".bp-line{stroke-linejoin:round}\n.bp-cells{shape-rendering:crispEdges}\n</style>\n";
 }
 
 void draw_head(SvgWriter& svg, const PanelPlan& panel) {
