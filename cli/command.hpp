@@ -28,6 +28,7 @@ struct Command {
 
 /// Each adds a command to `app`. `settings` is read when the command runs.
 Command add_eval(CLI::App& app, const Settings& settings);
+Command add_pareto(CLI::App& app, const Settings& settings);
 Command add_plot(CLI::App& app, const Settings& settings);
 Command add_advise(CLI::App& app, const Settings& settings);
 Command add_check(CLI::App& app, const Settings& settings);

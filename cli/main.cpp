@@ -73,10 +73,11 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   app.footer("brdfplot COMMAND --help shows the flags of a command.\n\nExample:\n"
              "  brdfplot eval configs/materials/ggx.json -q lambda,g1 -i configs/points/theta_o.csv");
   const std::vector<cli::Command> commands = {cli::add_eval(app, settings),
-                                              cli::add_advise(app, settings),
                                               cli::add_plot(app, settings),
                                               cli::add_check(app, settings),
                                               cli::add_fit(app, settings),
+                                              cli::add_pareto(app, settings),
+                                              cli::add_advise(app, settings),
                                               cli::add_report(app, settings),
                                               cli::add_sample(app, settings),
                                               cli::add_simulate(app, settings),

@@ -41,6 +41,12 @@ bool has_errors(const Figure& figure) {
   });
 }
 
+bool has_names(const Figure& figure) {
+  return std::ranges::any_of(figure.panels, [](const Panel& panel) {
+    return std::ranges::any_of(panel.series, [](const Series& series) { return !series.names.empty(); });
+  });
+}
+
 std::string column_of(const Axis& axis, const char* fallback) { return axis.column.empty() ? fallback : axis.column; }
 
 /// The columns of what is swept: panels may sweep different variables, and a row has those of its own.
@@ -71,6 +77,7 @@ void append_header(std::string& out, const Figure& figure, const std::vector<std
   } else {
     column(column_of(panel.y, "y"));
     if (has_errors(figure)) column(column_of(panel.y, "y") + "_stderr");
+    if (has_names(figure)) column("name");
   }
   out += '\n';
 }
@@ -83,7 +90,8 @@ void append_swept(std::string& out, const std::vector<std::string>& swept, const
   }
 }
 
-void append_series(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool errors) {
+void append_series(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool errors,
+                   bool names) {
   const std::string x = column_of(panel.x, "x");
   const bool profile = panel.sketch.has_value();
   const auto title = field(panel.title);
@@ -96,17 +104,21 @@ void append_series(std::string& out, const Panel& panel, const std::vector<std::
       if (!profile || !std::isnan(series.y[i])) append_number(out, series.y[i]);
       if (errors) out += ',';
       if (i < series.error.size()) append_number(out, series.error[i]);
+      if (names) out += ',';
+      if (i < series.names.size()) append_field(out, strip_markup(series.names[i]));
       out += '\n';
     }
   }
 }
 
-void append_notes(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool errors) {
+void append_notes(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool errors,
+                  bool names) {
   for (const Note& note : panel.notes) {
     out += field(panel.title) + "," + field(note.label) + "," + std::string(swept.size(), ',');
     append_number(out, note.value);
     if (errors) out += ',';
     if (errors) append_number(out, note.error);
+    if (names) out += ',';
     out += '\n';
   }
 }
@@ -146,11 +158,11 @@ std::string to_csv(const Figure& figure) {
   out.reserve(estimate(figure));
   const std::vector<std::string> swept = swept_columns(figure);
   append_header(out, figure, swept);
-  const bool errors = has_errors(figure);
+  const bool errors = has_errors(figure), names = has_names(figure);
   for (const auto& panel : figure.panels) {
     if (figure.kind != Kind::heatmap) {
-      append_series(out, panel, swept, errors);
-      append_notes(out, panel, swept, errors);
+      append_series(out, panel, swept, errors, names);
+      append_notes(out, panel, swept, errors, names);
     } else if (panel.grid) {
       append_grid(out, panel, swept);
     }

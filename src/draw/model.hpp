@@ -40,6 +40,9 @@ struct Series {
   std::optional<double> ramp;
   /// Standard error of each y, drawn as bars or a band of twice its size; empty: y is exact.
   std::vector<double> error{};
+  /// Of each point: a dot with this name beside it, instead of a line; an empty name: the dot alone. Empty: a line.
+  /// Kind::lines only. A name that has no room without covering another, a dot or the frame is left out.
+  std::vector<std::string> names{};
 };
 
 /// A direction of a polar plot, drawn as an arrow from (or, when `incoming`, towards) the surface point.
@@ -140,7 +143,8 @@ std::string to_svg(const Figure& figure);
 
 /// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`; where panels
 /// sweep different variables, a column for each, empty in the rows of the others. Where a
-/// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact. In a profile an empty
+/// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact; where points have
+/// names, `name` follows. In a profile an empty
 /// y ends a part of the surface. One header line, LF, numbers in the shortest form that reads back to the same double;
 /// text fields quoted when needed (RFC 4180). Markup of labels is stripped ("θ_o" stays "θ_o": only braces go).
 std::string to_csv(const Figure& figure);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace brdfplot::choice {
 
@@ -62,6 +63,8 @@ public:
   friend Counted exp(const Counted& u) { return exponential(std::exp(u.value_)); }
   friend Counted exp2(const Counted& u) { return exponential(std::exp2(u.value_)); }
   friend Counted log(const Counted& u) { return exponential(std::log(u.value_)); }
+  friend Counted expm1(const Counted& u) { return exponential(std::expm1(u.value_)); }
+  friend Counted log1p(const Counted& u) { return exponential(std::log1p(u.value_)); }
   friend Counted log2(const Counted& u) { return exponential(std::log2(u.value_)); }
   friend Counted pow(const Counted& u, const Counted& v) {
     operations().exponentials += 2;
@@ -76,6 +79,12 @@ public:
   friend Counted atan2(const Counted& u, const Counted& v) { return transcendental(std::atan2(u.value_, v.value_)); }
   friend Counted erf(const Counted& u) { return transcendental(std::erf(u.value_)); }
   friend Counted erfc(const Counted& u) { return transcendental(std::erfc(u.value_)); }
+
+  /// The largest whole number that is not above, for tables: a conversion.
+  friend std::size_t whole_part(const Counted& u) {
+    ++operations().multiply_adds;
+    return static_cast<std::size_t>(u.value_);
+  }
 
 private:
   Counted(double value, bool product) : value_(value), product_(product) {}
@@ -101,6 +110,16 @@ private:
   double value_ = 0;
   bool product_ = false; ///< a product that may be added in the same operation
 };
+
+inline std::size_t whole_part(double x) { return static_cast<std::size_t>(x); }
+inline std::size_t whole_part(float x) { return static_cast<std::size_t>(x); }
+
+/// An entry of a table as a number of type T.
+template <class T>
+T read_entry(double entry) {
+  if constexpr (std::is_same_v<T, Counted>) ++Counted::operations().table_reads;
+  return static_cast<T>(entry);
+}
 
 /// What `formula()` computes, a call that uses Counted numbers.
 template <class F>

@@ -31,6 +31,8 @@ struct Input {
   std::string doc;
   double low = 0, high = 1; ///< the whole domain, both ends included
   Scale scale = Scale::linear;
+  /// Where it mostly is, which is where times are taken; none: all of the domain.
+  std::optional<std::array<double, 2>> usual{};
 };
 
 /// A method over arrays: inputs[k][i] is input k of row i.
@@ -54,10 +56,13 @@ struct Method {
   std::string source; ///< author, year, equation
   Kind kind = Kind::printed;
   std::variant<Run<double>, Run<float>>
-      run;                              ///< for float, the inputs are rounded to float before they are anything else
-  std::optional<Operations> operations; ///< the most of any input that was counted; none where it cannot be counted
-  std::size_t bytes = 0;                ///< of tables
-  double bound = 0;                     ///< the relative error that it states over the whole domain; 0: none
+      run;                                ///< for float, the inputs are rounded to float before they are anything else
+  std::optional<Operations> operations{}; ///< the most of any input that was counted; none where it cannot be counted
+  std::size_t bytes = 0;                  ///< of tables
+  double bound = 0;                       ///< the relative error that it states over the whole domain; 0: none
+  double evaluations = 0;                 ///< of an integrand, the most that were seen: a quadrature's cost; 0: none
+  std::string note{};                     ///< what else was found: whether its own estimate of its error holds
+  bool portable = true; ///< the same on every machine; not so a kernel of an instruction set that some have
 
   bool is_single() const { return std::holds_alternative<Run<float>>(run); }
 };
@@ -72,10 +77,17 @@ struct Problem {
 
   // What is true of the exact function.
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
-  std::vector<int> monotone; ///< for each input: 1 grows with it, -1 falls, 0 neither; empty: neither in all
+  std::vector<int> monotone{}; ///< for each input: 1 grows with it, -1 falls, 0 neither; empty: neither in all
   /// What of a value is seen, where its relative error is not what matters: G1 = 1 / (1 + Lambda) of a Lambda. Empty:
   /// the value itself.
-  std::function<double(double)> seen;
+  std::function<double(double)> seen{};
+  std::string seen_as{}; ///< its name: "G1"
+
+  std::string cost_unit{}; ///< of costs where they are no operations: "evaluations of the integrand"
+
+  // How exact values are asked for.
+  double exact_error = 0;     ///< a bound of the relative error of `exact`, where it is not that of 32 digits
+  std::size_t samples = 4096; ///< how many may be asked for within a second
 };
 
 /// A method in double or float, and its operations, of one formula for any number type: `formula(x)` with x an array of
@@ -84,7 +96,12 @@ struct Problem {
 template <class T, std::size_t inputs, class F>
 Method method_of(std::string name, std::string doc, std::string source, Kind kind, F formula,
                  const std::vector<std::array<double, inputs>>& examples) {
-  Method method{std::move(name), std::move(doc), std::move(source), kind, {}, {}, 0, 0};
+  Method method{.name = std::move(name),
+                .doc = std::move(doc),
+                .source = std::move(source),
+                .kind = kind,
+                .run = {},
+                .operations = {}};
   method.run = Run<T>([formula](std::size_t n, const T* const* in, T* out) {
     std::array<T, inputs> x{};
     for (std::size_t i = 0; i < n; ++i) {

@@ -6,9 +6,33 @@
 
 namespace brdfplot::choice {
 
+Problem albedo_ggx();
+Problem albedo_ggx_a();
+Problem albedo_ggx_b();
+Problem brdf_ggx();
+Problem fresnel_conductor();
+Problem fresnel_dielectric();
+Problem g2();
+Problem g2_directions();
+Problem lambda_beckmann();
 Problem lambda_ggx();
+Problem lambda_sheen();
+Problem lambda_student_t();
 
 /// Each makes a problem.
-inline constexpr std::array problem_list = {&lambda_ggx};
+inline constexpr std::array problem_list = {
+    &lambda_beckmann,    //
+    &lambda_ggx,         //
+    &lambda_sheen,       //
+    &lambda_student_t,   //
+    &g2,                 //
+    &g2_directions,      //
+    &fresnel_dielectric, //
+    &fresnel_conductor,  //
+    &brdf_ggx,           //
+    &albedo_ggx,         //
+    &albedo_ggx_a,       //
+    &albedo_ggx_b,       //
+};
 
 } // namespace brdfplot::choice

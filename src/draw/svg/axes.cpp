@@ -59,9 +59,16 @@ bool needs_bar(const Figure& figure, std::size_t index, int columns) {
   return figure.share == Share::none || last_in_row;
 }
 
+/// Names of points need room below each other.
+bool has_names(const Panel& panel) {
+  return std::ranges::any_of(panel.series, [](const Series& series) { return !series.names.empty(); });
+}
+
 void measure_heights(const Figure& figure, PanelPlan& plan, std::size_t index, int columns) {
+  constexpr double height_for_names = 440;
   const auto& panel = figure.panels[index];
-  const double height = plot_height(figure.kind, columns, figure.panels.size());
+  const double height =
+      has_names(panel) && columns == 1 ? height_for_names : plot_height(figure.kind, columns, figure.panels.size());
   plan.plot.h = height;
   plan.y_ticks = vertical_ticks(panel.y, plan.y, height);
   const bool first = index % static_cast<std::size_t>(columns) == 0;

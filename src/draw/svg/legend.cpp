@@ -12,15 +12,17 @@ constexpr double font_size = 13;
 constexpr double sample_width = 34;
 constexpr double sample_gap = 7;
 constexpr double entry_gap = 20;
+constexpr double legend_dot_radius = 4;
 
 /// One drawn thing that may need an entry.
 struct Item {
   std::string label;
   int style = 0;
   std::optional<double> ramp;
+  bool dots = false;
 
   [[nodiscard]] bool looks_like(const Item& other) const {
-    if (ramp.has_value() != other.ramp.has_value()) return false;
+    if (ramp.has_value() != other.ramp.has_value() || dots != other.dots) return false;
     return ramp ? ramp_step(*ramp) == ramp_step(*other.ramp) : style == other.style;
   }
 };
@@ -29,7 +31,8 @@ std::vector<Item> items_of(const Panel& panel, Kind kind, const std::vector<std:
   std::vector<Item> items;
   if (kind == Kind::spheres) return items; // what they show is no line
   if (kind != Kind::heatmap) {
-    for (const auto& series : panel.series) items.push_back({series.label, series.style, series.ramp});
+    for (const auto& series : panel.series)
+      items.push_back({series.label, series.style, series.ramp, !series.names.empty()});
     return items;
   }
   for (const auto& contour : panel.contours) {
@@ -78,8 +81,9 @@ bool can_share(const std::vector<std::vector<Item>>& panels) {
   return repeated;
 }
 
-LegendEntry::Sample sample_of(Kind kind) {
-  return kind == Kind::heatmap ? LegendEntry::Sample::contour : LegendEntry::Sample::line;
+LegendEntry::Sample sample_of(Kind kind, const Item& item) {
+  if (kind == Kind::heatmap) return LegendEntry::Sample::contour;
+  return item.dots ? LegendEntry::Sample::dot : LegendEntry::Sample::line;
 }
 
 /// The look of an item; a ramp's dashes alternate with the place of its label in the legend.
@@ -92,7 +96,7 @@ Look look_in(const Item& item, const std::vector<Item>& distinct) {
 std::vector<LegendEntry> entries_of(const std::vector<Item>& distinct, Kind kind) {
   std::vector<LegendEntry> entries;
   entries.reserve(distinct.size());
-  for (const auto& item : distinct) entries.push_back({item.label, look_in(item, distinct), sample_of(kind)});
+  for (const auto& item : distinct) entries.push_back({item.label, look_in(item, distinct), sample_of(kind, item)});
   return entries;
 }
 
@@ -180,6 +184,10 @@ void draw_legend(SvgWriter& svg, const LegendLayout& legend, Point corner) {
     const auto& look = placed.entry.look;
     if (placed.entry.sample == LegendEntry::Sample::undefined) {
       svg.rect({at.x, y - 5, sample_width, 10}, "bp-nan");
+    } else if (placed.entry.sample == LegendEntry::Sample::dot) {
+      PathData dot;
+      dot.dot({at.x + sample_width / 2, y}, legend_dot_radius);
+      svg.path(dot, {"bp-f-" + look.colour, 0, {}, {}});
     } else if (placed.entry.sample == LegendEntry::Sample::contour) {
       svg.line({at.x, y}, to, {"bp-no bp-halo", 4, {}, {}});
       svg.line({at.x, y}, to, {"bp-no bp-contour", 1.6, dash(look.dash), {}});

@@ -11,7 +11,7 @@
 namespace brdfplot::plot {
 
 struct LegendEntry {
-  enum class Sample { line, contour, undefined };
+  enum class Sample { line, dot, contour, undefined };
   std::string label;
   Look look;
   Sample sample = Sample::line;

@@ -122,6 +122,10 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
   for (std::size_t i = 0; i < plan.panel->series.size(); ++i) {
     throw_if_interrupted();
     const auto& series = plan.panel->series[i];
+    if (!series.names.empty()) {
+      empty = false;
+      continue;
+    }
     PathData path;
     append_curve(path, plan, series.x, series.y);
     empty = empty && path.empty();
@@ -129,6 +133,7 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
     svg.path(path, {"bp-no bp-line bp-" + plan.looks[i].colour, measured ? 1.0 : 2.0, dash(plan.looks[i].dash), {}});
     if (measured) draw_measured(svg, plan, series, plan.looks[i]);
   }
+  draw_named_points(svg, plan);
   svg.close_group();
   if (empty) {
     const Point middle{plan.plot.x + plan.plot.w / 2, plan.plot.y + plan.plot.h / 2};

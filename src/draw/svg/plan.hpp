@@ -97,4 +97,7 @@ Point to_point(const PanelPlan& plan, double x, double y);
 /// Appends a polyline of values, broken where a point cannot be shown and cut at the edges of the plotting area.
 void append_curve(PathData& path, const PanelPlan& plan, const std::vector<double>& x, const std::vector<double>& y);
 
+/// The dots of the series whose points have names, and the names, each where it covers nothing.
+void draw_named_points(SvgWriter& svg, const PanelPlan& plan);
+
 } // namespace brdfplot::plot

@@ -1,5 +1,6 @@
 #include "math/kernels/kernels.hpp"
 
+#include "math/kernels/isa_here.hpp"
 #include "math/kernels/table.hpp"
 
 #include <array>
@@ -46,7 +47,12 @@ std::atomic<Isa>& active() {
   return isa;
 }
 
-const detail::Table& table() { return *table_of(active().load(std::memory_order_relaxed)); }
+/// What IsaHere has set on this thread.
+thread_local const detail::Table* table_here = nullptr;
+
+const detail::Table& table() {
+  return table_here != nullptr ? *table_here : *table_of(active().load(std::memory_order_relaxed));
+}
 
 template <class T>
 const detail::Kernels<T>& kernels() {
@@ -161,6 +167,9 @@ bool use_isa(Isa isa) {
   active().store(isa, std::memory_order_relaxed);
   return true;
 }
+
+IsaHere::IsaHere(Isa isa) : before_(table_here) { table_here = table_of(isa); }
+IsaHere::~IsaHere() { table_here = static_cast<const detail::Table*>(before_); }
 
 void reflectance_dielectric(const double* c, double eta, double* f, std::size_t n) {
   table().fresnel.dielectric(constants_of(eta, 0), c, f, n);

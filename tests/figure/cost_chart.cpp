@@ -1,0 +1,70 @@
+#include "figure/cost_chart.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace brdfplot::plot;
+
+namespace {
+
+CostChart chart() {
+  CostChart chart;
+  chart.cost = {.label = "cost", .column = "cost"};
+  chart.error = {.label = "error", .column = "error"};
+  chart.points = {{"cheap", 1, 1e-1, true, "a"},
+                  {"worse", 2, 2e-1, false, "b"},
+                  {"good", 4, 1e-8, true, "b"},
+                  {"exact", 9, 0, false, "a"},
+                  {"unknown", std::nan(""), 1e-3, false, "b"}};
+  return chart;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+} // namespace
+
+TEST_CASE("cost chart: the front is a staircase, and what has no place is told of") {
+  const Figure figure = cost_figure({chart()}, "chart", "Costs", "What costs what.");
+  REQUIRE(figure.panels.size() == 1);
+  const Panel& panel = figure.panels[0];
+  const Series& front = panel.series.at(0);
+  CHECK(front.y == std::vector<double>{1e-1, 1e-1, 1e-8, 1e-8});
+  CHECK(front.x == std::vector<double>{1, 4, 4, panel.x.to});
+  REQUIRE(panel.notes.size() == 1);
+  CHECK(panel.notes[0].text == "not shown: exact (no error); unknown (cost not counted)");
+  // "a" and "b" on the front, then "b" behind it, in the colour of "b".
+  REQUIRE(panel.series.size() == 4);
+  CHECK(panel.series[2].style == panel.series[3].style);
+  CHECK(panel.series[3].names == std::vector<std::string>{"worse"});
+}
+
+TEST_CASE("cost chart: every name is drawn once, every group has one entry in the legend") {
+  const std::string svg = to_svg(cost_figure({chart()}, "chart", "Costs", "What costs what."));
+  for (const char* name : {">cheap<", ">worse<", ">good<", ">a<", ">b<", ">front<"}) {
+    CAPTURE(name);
+    CHECK(count(svg, name) == 1);
+  }
+  CHECK(count(to_csv(cost_figure({chart()}, "chart", "", "")), ",good\n") == 1);
+}
+
+TEST_CASE("cost chart: names of points that lie near each other do not cover each other") {
+  CostChart crowded = chart();
+  crowded.points.clear();
+  for (int k = 0; k < 14; ++k)
+    crowded.points.push_back({"point_" + std::to_string(k), 10 * std::pow(1.04, k), 1e-3, k == 0, "a"});
+  const std::string svg = to_svg(cost_figure({crowded}, "chart", "", ""));
+  CHECK(count(svg, ">point_") == 14);
+}
+
+TEST_CASE("cost chart: points that lie on each other are one dot with their names") {
+  CostChart same = chart();
+  same.points = {{"p", 10, 1e-3, false, "a"}, {"q", 10, 1.001e-3, false, "a"}, {"r", 10, 1e-3, false, "b"},
+                 {"s", 20, 1e-3, false, "a"}, {"t", 20, 1e-3, false, "a"},     {"u", 20, 1e-3, false, "a"}};
+  const std::string svg = to_svg(cost_figure({same}, "chart", "", ""));
+  for (const char* name : {">p, q<", ">r<", ">s … u<"}) CHECK(count(svg, name) == 1);
+}
