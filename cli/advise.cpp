@@ -1,16 +1,20 @@
 /// \file
 /// brdfplot advise: the least model that a scene needs.
 
+#include "analysis/fit/code.hpp"
 #include "base/errors.hpp"
 #include "base/text_files.hpp"
 #include "choice/advise/text.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
+#include "figure/advice_figure.hpp"
 #include "render.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 
 namespace brdfplot::cli {
@@ -62,10 +66,63 @@ std::string shortfall(const choice::AdviceScene& scene, const choice::MaterialAd
   return advice.name + ": no model does; " + asked + "; " + nearest;
 }
 
+/// Smith's Lambda of the terms that have one as a rational, where `fit` has it.
+void append_code(const MaterialDescription& material, const std::string& id, const std::string& folder, int threads,
+                 std::vector<NamedText>& files) {
+  for (const TermDescription& term : material.terms) {
+    if (term.type != "mirror" || term.masking.type != "smith") continue;
+    TermDescription alone = term;
+    alone.layers.clear();
+    const std::string name = material.terms.size() > 1 ? id + "_" + term.name : id;
+    try {
+      const FitOptions options{FitOptions{}.tolerance, false, threads};
+      const FitResult fit = fit_lambda(MaterialDescription(name, {alone}, true), options);
+      files.push_back(
+          {in_folder(folder, fit_identifier(name) + ".glsl"), fit_code(fit, options.tolerance, FitLanguage::glsl)});
+    } catch (const MaterialError&) {
+      // fit_lambda says what it takes; the material file stands without it.
+    }
+  }
+}
+
+void write_files(const choice::AdviceScene& scene, const std::vector<choice::MaterialAdvice>& all,
+                 const std::string& folder, const Settings& settings) {
+  std::vector<NamedText> files = {{in_folder(folder, "advice.txt"), text_of(scene, all)}};
+  for (const choice::MaterialAdvice& one : all) {
+    const std::string id = fit_identifier(one.name);
+    const plot::Figure figure = plot::advice_figure(scene, one, id + "_ladder");
+    files.push_back({in_folder(folder, id + "_models.csv"), choice::models_csv(scene, one)});
+    files.push_back({in_folder(folder, id + "_ladder.svg"), plot::to_svg(figure)});
+    files.push_back({in_folder(folder, id + "_ladder.csv"), plot::to_csv(figure)});
+    if (!one.answer) continue;
+    const MaterialDescription& material = one.models[*one.answer].materials[0];
+    files.push_back({in_folder(folder, id + ".json"), config::material_text(material)});
+    append_code(material, id, folder, settings.threads, files);
+  }
+  write_text_files(files);
+}
+
+/// Files are named after materials: two names may be one as a file.
+void require_distinct_files(const AdviseFlags& flags, const choice::AdviceScene& scene) {
+  std::vector<std::string> ids;
+  for (const choice::AdvisedMaterial& one : scene.materials) {
+    const std::string id = fit_identifier(one.material.name);
+    if (std::ranges::find(ids, id) != ids.end())
+      throw InputError(flags.scene, "two materials would be written to \"" + id +
+                                        ".json\"; accepted: names that differ in letters and digits");
+    ids.push_back(id);
+  }
+}
+
 int run(const AdviseFlags& flags, const Settings& settings) {
   require_argument(!flags.scene.empty(), "advise", "SCENE.json");
   const choice::AdviceScene scene = config::load_advice(flags.scene);
+  if (!flags.output.empty()) {
+    require_distinct_files(flags, scene);
+    create_folders(flags.output);
+  }
   const std::vector<choice::MaterialAdvice> all = advice_for(scene, settings);
+  if (!flags.output.empty()) write_files(scene, all, flags.output, settings);
   print(flags.json ? config::advice_record(scene, all) : text_of(scene, all));
   int code = 0;
   for (const choice::MaterialAdvice& one : all) {
@@ -84,7 +141,8 @@ Command add_advise(CLI::App& app, const Settings& settings) {
   command->add_option("scene", flags->scene, "Materials, lights and what is seen of them")->type_name("SCENE.json");
   command
       ->add_option("-o,--output", flags->output,
-                   "Folder of advice.txt and, for each material, NAME.json, NAME_models.csv and NAME_ladder.svg")
+                   "Folder of advice.txt and, for each material, NAME.json, NAME_models.csv, NAME_ladder.svg and .csv, and GLSL "
+                   "of what `fit` can make")
       ->type_name("DIR");
   command->add_flag("--json", flags->json, "The answer as JSON");
   command->footer(footer("brdfplot advise configs/scenes/brushed_steel.json"));
