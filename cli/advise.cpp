@@ -140,9 +140,10 @@ Command add_advise(CLI::App& app, const Settings& settings) {
   CLI::App* command = app.add_subcommand("advise", "The least model of a material that a scene needs");
   command->add_option("scene", flags->scene, "Materials, lights and what is seen of them")->type_name("SCENE.json");
   command
-      ->add_option("-o,--output", flags->output,
-                   "Folder of advice.txt and, for each material, NAME.json, NAME_models.csv, NAME_ladder.svg and .csv, and GLSL "
-                   "of what `fit` can make")
+      ->add_option(
+          "-o,--output", flags->output,
+          "Folder of advice.txt and, for each material, NAME.json, NAME_models.csv, NAME_ladder.svg and .csv, and GLSL "
+          "of what `fit` can make")
       ->type_name("DIR");
   command->add_flag("--json", flags->json, "The answer as JSON");
   command->footer(footer("brdfplot advise configs/scenes/brushed_steel.json"));

@@ -15,9 +15,10 @@ constexpr double brightest_light = 1e6;
 constexpr std::size_t most_advised = 64, most_range_values = 16, most_lights_of_advice = 16;
 
 ShapePtr advised_material() {
-  return object({{"material", material_shape(false), true, "the material in full"},
-                 {"ranges", map(array(number(), 1, most_range_values), "a parameter of the material, as figures name it"),
-                  false, "other values of parameters that the model has to be good for as well, one at a time"}});
+  return object(
+      {{"material", material_shape(false), true, "the material in full"},
+       {"ranges", map(array(number(), 1, most_range_values), "a parameter of the material, as figures name it"), false,
+        "other values of parameters that the model has to be good for as well, one at a time"}});
 }
 
 ShapePtr advice_light() {
@@ -36,13 +37,11 @@ ShapePtr view_range() {
 }
 
 ShapePtr tolerance_shape() {
-  return object_with_alternatives(
-      {{"delta_e",
-        number({.min = 0, .max = 100, .open_min = true}),
-        false,
-        "of Delta E_ITP (ITU-R BT.2124), of which 1 is just noticeable"},
-       {"relative", number({.min = 0, .max = 10, .open_min = true}), false, "of radiance, of the channel that is worst"}},
-      {{"delta_e"}, {"relative"}});
+  return object_with_alternatives({{"delta_e", number({.min = 0, .max = 100, .open_min = true}), false,
+                                    "of Delta E_ITP (ITU-R BT.2124), of which 1 is just noticeable"},
+                                   {"relative", number({.min = 0, .max = 10, .open_min = true}), false,
+                                    "of radiance, of the channel that is worst"}},
+                                  {{"delta_e"}, {"relative"}});
 }
 
 /// An angle of a light or a view, within [0, most].
@@ -92,8 +91,7 @@ choice::AdvisedMaterial to_advised(const JsonFile& file, const Json& value, cons
   if (!value.contains("ranges")) return out;
   const std::vector<std::string> keys = parameter_keys(out.material);
   for (const auto& [key, values] : value["ranges"].items()) {
-    if (std::ranges::find(keys, key) == keys.end())
-      file.fail(step(place, key), unknown_name("parameter", key, keys));
+    if (std::ranges::find(keys, key) == keys.end()) file.fail(step(place, key), unknown_name("parameter", key, keys));
     for (std::size_t k = 0; k < values.size(); ++k) {
       const auto number = values[k].get<double>();
       try {
@@ -117,8 +115,7 @@ ShapePtr advice_shape() {
        {"view", view_range(), false, "which angles of the surface are seen; default: a whole sphere"},
        {"exposure", number({.min = 1e-6, .max = 1e6}), false,
         "radiance times it is shown, 1 as white of 203 cd/m^2; default 1"},
-       {"tolerance", tolerance_shape(), true,
-        "how far 95 % of the lit area may be off, the worst 1 % twice as far"},
+       {"tolerance", tolerance_shape(), true, "how far 95 % of the lit area may be off, the worst 1 % twice as far"},
        {"budget", number({.min = 1, .max = 1e9}), false, "most operations of a shaded point, under all lights"}},
       true);
 }

@@ -14,7 +14,8 @@ Json errors_json(const choice::PictureErrors& errors) {
 Json model_json(const choice::MaterialAdvice& advice, const std::optional<std::size_t>& k) {
   if (!k) return nullptr;
   const choice::Model& model = advice.models[*k];
-  Json out = {{"cost", model.cost}, {"model", choice::simplifications(advice, model)}, {"at", errors_json(model.errors)}};
+  Json out = {
+      {"cost", model.cost}, {"model", choice::simplifications(advice, model)}, {"at", errors_json(model.errors)}};
   if (model.dense) out["verified"] = errors_json(*model.dense);
   return out;
 }

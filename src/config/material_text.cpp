@@ -14,7 +14,8 @@ Json to_json(const Value& value) {
       []<class T>(const T& v) -> Json {
         if constexpr (std::is_same_v<T, WeightedChoices>) {
           Json out = Json::array();
-          for (const WeightedChoice& one : v) out.push_back({{"weight", one.weight}, {"distribution", to_json(one.model)}});
+          for (const WeightedChoice& one : v)
+            out.push_back({{"weight", one.weight}, {"distribution", to_json(one.model)}});
           return out;
         } else {
           return v;

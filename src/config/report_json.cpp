@@ -237,6 +237,7 @@ void expect_kind(const JsonFile& file, const std::string& kind) {
   const std::string takes = found == "figure"   ? "plot"
                             : found == "report" ? "report"
                             : found == "scene"  ? "simulate"
+                            : found == "advice" ? "advise"
                                                 : "eval, plot -q, check, fit, sample";
   file.fail("", "found " + with_article(found) + " (brdfplot " + takes + "), accepted: " + with_article(kind));
 }

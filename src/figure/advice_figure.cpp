@@ -79,9 +79,10 @@ Figure advice_figure(const choice::AdviceScene& scene, const choice::MaterialAdv
   chart.error = {.label = std::string(delta_e ? "ΔE_{ITP}" : "relative radiance") + ": p95, or half of the worst 1 %",
                  .column = "error"};
   chart.tolerance = scene.tolerance.value;
-  return cost_figure({chart}, id, "The least model: " + advice.name + " (" + scene.name + ")",
-                     "Error of a lit sphere against the operations of a shader, for the models that are simpler than the "
-                     "material in full.");
+  return cost_figure(
+      {chart}, id, "The least model: " + advice.name + " (" + scene.name + ")",
+      "Error of a lit sphere against the operations of a shader, for the models that are simpler than the "
+      "material in full.");
 }
 
 } // namespace brdfplot::plot

@@ -1,4 +1,5 @@
 #include "choice/advise/advise.hpp"
+#include "base/errors.hpp"
 #include "choice/advise/options/options.hpp"
 #include "choice/advise/text.hpp"
 #include "config/load.hpp"
@@ -85,12 +86,12 @@ std::vector<AdviceLight> spiral(const std::vector<AdviceLight>& lights, int poin
     const Direction side{-std::sin(light.phi), std::cos(light.phi), 0};
     const double height = 1 - std::cos(light.radius);
     for (int k = 0; k < points; ++k) {
-      const double drop = height * (k + 0.5) / points, sine = std::sqrt(drop * (2 - drop)), azimuth = 2.399963229728653 * k;
+      const double drop = height * (k + 0.5) / points, sine = std::sqrt(drop * (2 - drop)),
+                   azimuth = 2.399963229728653 * k;
       const Direction d = (1 - drop) * middle + (sine * std::cos(azimuth)) * down + (sine * std::sin(azimuth)) * side;
       AdviceLight one{std::acos(std::clamp(d.z, -1.0, 1.0)), std::atan2(d.y, d.x), 0, light.irradiance};
       // Irradiance of a part of the disc: radiance E / (pi sin^2 r) times its solid angle.
-      for (double& e : one.irradiance.value)
-        e *= 2 * pi * height / points / (pi * std::pow(std::sin(light.radius), 2));
+      for (double& e : one.irradiance.value) e *= 2 * pi * height / points / (pi * std::pow(std::sin(light.radius), 2));
       out.push_back(one);
     }
   }
@@ -197,6 +198,23 @@ TEST_CASE("a smaller tolerance is never cheaper, in random scenes") {
       tolerance *= uniform(0.1, 0.6);
     }
   }
+}
+
+TEST_CASE("a model has to stand for every value of a range, and the worst counts") {
+  AdviceScene scene = scene_of(mirror(0.3, conductor({0.1, 0.4, 1.4}, {4, 2.4, 1.6})), 6);
+  const MaterialAdvice one = advise_first(scene);
+  scene.materials[0].ranges = {{"alpha", {0.6, 0.9}}};
+  const MaterialAdvice three = advise_first(scene);
+  REQUIRE(one.answer);
+  REQUIRE(three.answer);
+  CHECK(three.models[*three.answer].materials.size() == 3);
+  CHECK(three.models[*three.answer].cost >= one.models[*one.answer].cost);
+}
+
+TEST_CASE("what is lit from behind alone is refused") {
+  AdviceScene scene = scene_of(mirror(0.3, conductor({0.1, 0.4, 1.4}, {4, 2.4, 1.6})), 6);
+  scene.lights = {{pi, 0, 0, {{1, 1, 1}, false}}};
+  CHECK_THROWS_WITH_AS(advise_first(scene), doctest::Contains("no light reaches"), InputError);
 }
 
 TEST_CASE("any number of threads gives the same answer") {

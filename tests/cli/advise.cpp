@@ -27,7 +27,8 @@ TEST_CASE("advise says the answer, why it is not less, and writes a material tha
   CHECK(folder.read("out/advice.txt") == out);
   CHECK(folder.has("out/rough_gold.json"));
   CHECK(folder.read("out/rough_gold_ladder.svg").find("answer") != std::string::npos);
-  CHECK(folder.read("out/rough_gold_models.csv").starts_with("cost,error,p95,worst,light,verified,within,answer,model\n"));
+  CHECK(folder.read("out/rough_gold_models.csv")
+            .starts_with("cost,error,p95,worst,light,verified,within,answer,model\n"));
   check_output(folder, "brdfplot validate out/rough_gold.json");
   check_output(folder, "brdfplot eval out/rough_gold.json -q brdf -i configs/points/pairs.csv");
 }

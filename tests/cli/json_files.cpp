@@ -74,7 +74,8 @@ TEST_CASE("every file in configs is accepted") {
       if (entry.path().extension() != ".json") continue; // a height map
       const std::string file = "configs/" + std::string(subfolder) + "/" + entry.path().filename().string();
       const std::string out = check_output(folder, "brdfplot validate " + file);
-      const bool advice = read_file(entry.path()).find("\"lights\"") != std::string::npos && kind == std::string("scene");
+      const bool advice =
+          read_file(entry.path()).find("\"lights\"") != std::string::npos && kind == std::string("scene");
       CHECK(out == file + ": ok (" + (advice ? "advice" : kind) + ")\n");
     }
   }

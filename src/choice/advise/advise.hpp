@@ -11,8 +11,8 @@ namespace brdfplot::choice {
 
 /// A model: a simpler material under simpler lights.
 struct Model {
-  std::size_t rung = 0, light = 0; ///< of the ladder
-  double cost = 0;                 ///< shader_cost()
+  std::size_t rung = 0, light = 0;            ///< of the ladder
+  double cost = 0;                            ///< shader_cost()
   std::vector<MaterialDescription> materials; ///< of each variant, its free parameters fitted
   PictureErrors errors;                       ///< of the variant that is farthest off
   std::optional<PictureErrors> dense{};       ///< on more places, where it was asked
@@ -20,8 +20,8 @@ struct Model {
 
 /// What the lights of a scene reach on the lit part that is seen (radians).
 struct ReachedAngles {
-  double least_view = 0, largest_view = 0;   ///< theta_o
-  double least_light = 0, largest_light = 0; ///< theta_i
+  double least_view = 0, largest_view = 0;           ///< theta_o
+  double least_light = 0, largest_light = 0;         ///< theta_i
   std::vector<std::pair<double, double>> difference; ///< theta_d, of each light
 };
 
@@ -32,7 +32,7 @@ struct MaterialAdvice {
   /// By ascending cost: those up to the answer and some more, of which none is cheaper; and the material in full with
   /// each single simplification of it.
   std::vector<Model> models;
-  std::size_t full = 0;      ///< the material in full, with the most directions for each disc
+  std::size_t full = 0;                    ///< the material in full, with the most directions for each disc
   std::optional<std::size_t> answer;       ///< the cheapest within the tolerance
   std::optional<std::size_t> next_cheaper; ///< of the models that cost less, the dearest, or the cheapest if no answer
   std::optional<std::size_t> best_cheaper; ///< of the models that cost less, the one with the least error

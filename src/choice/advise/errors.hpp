@@ -11,10 +11,10 @@ namespace brdfplot::choice {
 using Picture = std::vector<double>;
 
 struct PictureErrors {
-  double p95 = 0;          ///< the 95th percentile over the lit area
-  double worst = 0;        ///< the mean over the worst 1 % of it
-  double energy = 0;       ///< relative difference of the light that reaches the viewer (luminance)
-  sphere::Place where{};   ///< the worst place
+  double p95 = 0;        ///< the 95th percentile over the lit area
+  double worst = 0;      ///< the mean over the worst 1 % of it
+  double energy = 0;     ///< relative difference of the light that reaches the viewer (luminance)
+  sphere::Place where{}; ///< the worst place
 
   /// What is held against the tolerance: the worst 1 % may be off by twice as much as the 95th percentile.
   double decisive() const { return p95 > 0.5 * worst ? p95 : 0.5 * worst; }

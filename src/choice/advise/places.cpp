@@ -24,7 +24,9 @@ struct Cell {
   /// r dr dphi of r = sin theta.
   double area() const { return 0.5 * (phi1 - phi0) * std::sin(theta1 - theta0) * std::sin(theta1 + theta0); }
   /// The normal whose circle halves the area.
-  double middle() const { return std::asin(std::sqrt(0.5 * (std::pow(std::sin(theta0), 2) + std::pow(std::sin(theta1), 2)))); }
+  double middle() const {
+    return std::asin(std::sqrt(0.5 * (std::pow(std::sin(theta0), 2) + std::pow(std::sin(theta1), 2))));
+  }
 };
 
 /// A normal that mirrors the middle of a light to the viewer, and about what angle its disc is mirrored.
@@ -39,7 +41,8 @@ public:
       : coarsest_(coarsest / f.scale), growth_(growth / f.scale),
         finest_(std::max(finest_of_alpha * f.least_alpha, finest_of_all) / f.scale),
         near_(f.largest_alpha > 2 * f.least_alpha ? std::min(f.largest_alpha, 0.5) : 0) {
-    for (const AdviceLight& light : lights) mirrors_.push_back({from_angles(light.theta / 2, light.phi), light.radius / 2});
+    for (const AdviceLight& light : lights)
+      mirrors_.push_back({from_angles(light.theta / 2, light.phi), light.radius / 2});
   }
 
   void add(const Cell& cell, Places& out) const {

@@ -14,8 +14,8 @@ struct Places {
   std::vector<double> share; ///< sum 1
 };
 
-/// How fine: 1 is what the search looks at, 2 has about four times as many places. `alpha` are the least and the largest
-/// roughness, which say how wide highlights are.
+/// How fine: 1 is what the search looks at, 2 has about four times as many places. `alpha` are the least and the
+/// largest roughness, which say how wide highlights are.
 struct Fineness {
   double scale = 1;
   double least_alpha = 1, largest_alpha = 1;

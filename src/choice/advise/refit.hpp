@@ -14,9 +14,9 @@ struct FitTarget {
   double exposure = 1;
 };
 
-/// The material whose picture, as a screen shows it, is nearest to the target's in the mean square of the logarithm over
-/// the lit area, by Levenberg and Marquardt's method from the values that it has: colours within [0, 1], roughness by a
-/// factor within [1/8, 8]. At most 4 steps; what does not get nearer is not taken.
+/// The material whose picture, as a screen shows it, is nearest to the target's in the mean square of the logarithm
+/// over the lit area, by Levenberg and Marquardt's method from the values that it has: colours within [0, 1], roughness
+/// by a factor within [1/8, 8]. At most 4 steps; what does not get nearer is not taken.
 MaterialDescription refitted(const Draft& draft, Renderer& renderer, const FitTarget& target);
 
 } // namespace brdfplot::choice

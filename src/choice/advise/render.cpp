@@ -85,9 +85,8 @@ std::vector<Direction> nearest_directions(const AdviceLight& light, std::span<co
     const Direction mirrored = reflected({0, 0, 1}, normal);
     const double along = std::clamp(dot(mirrored, middle), -1.0, 1.0);
     const Direction aside = normalized(mirrored + -along * middle);
-    out.push_back(along >= std::cos(light.radius)
-                      ? mirrored
-                      : std::cos(light.radius) * middle + std::sin(light.radius) * aside);
+    out.push_back(along >= std::cos(light.radius) ? mirrored
+                                                  : std::cos(light.radius) * middle + std::sin(light.radius) * aside);
   }
   return out;
 }
@@ -139,8 +138,7 @@ Picture Renderer::term_picture(const MaterialDescription& material, const TermDe
   return out;
 }
 
-Picture Renderer::picture(const MaterialDescription& material, const LightModel& model, bool remember,
-                          int threads) {
+Picture Renderer::picture(const MaterialDescription& material, const LightModel& model, bool remember, int threads) {
   Picture sum(3 * places_.at.size());
   const std::string by = std::to_string(static_cast<int>(model.kind)) + ':' + std::to_string(model.rings) + ':';
   for (const TermDescription& term : material.terms) {
@@ -174,8 +172,8 @@ std::size_t rings_for(Renderer& renderer, const MaterialDescription& material, c
     if (rings >= 64)
       throw AccuracyError(material.name, "with " + std::to_string(4 * rings * rings) +
                                              " directions for each disc of light the picture still changes by " +
-                                             format_number(change.decisive()) + " (accepted: " +
-                                             format_number(accepted) +
+                                             format_number(change.decisive()) +
+                                             " (accepted: " + format_number(accepted) +
                                              "); a smaller disc or a rougher material needs fewer");
   }
 }

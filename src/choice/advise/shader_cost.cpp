@@ -50,7 +50,8 @@ private:
       if (layer.coat.empty()) continue;
       const auto coat = std::ranges::find(material_.terms, layer.coat, &TermDescription::name);
       const auto first = std::ranges::find_if(material_.terms, [&](const TermDescription& other) {
-        return std::ranges::any_of(other.layers, [&](const auto& l) { return l.name == layer.name && !l.coat.empty(); });
+        return std::ranges::any_of(other.layers,
+                                   [&](const auto& l) { return l.name == layer.name && !l.coat.empty(); });
       });
       if (coat != material_.terms.end() && first->name == term.name) visit(layer, *coat);
     }
@@ -82,17 +83,15 @@ Operations counted_over(const MaterialDescription& material, const Part& part) {
 
 int channels_of_term(const TermDescription& term) {
   const bool weight = std::holds_alternative<Rgb>(term.weight);
-  const bool values = std::ranges::any_of(term.values.map(), [](const auto& entry) {
-    return std::holds_alternative<Rgb>(entry.second);
-  });
+  const bool values = std::ranges::any_of(term.values.map(),
+                                          [](const auto& entry) { return std::holds_alternative<Rgb>(entry.second); });
   return weight || values || forms::channels_of(term.fresnel) == 3 ? 3 : 1;
 }
 
 /// The directions of a light: c_i and, where facets or flat terms ask for it, the half vector with its cosines.
 void directions(const MaterialDescription& material) {
-  const bool half = std::ranges::any_of(material.terms, [](const TermDescription& term) {
-    return !is_flat(term) || forms::needs_half_vector(term);
-  });
+  const bool half = std::ranges::any_of(
+      material.terms, [](const TermDescription& term) { return !is_flat(term) || forms::needs_half_vector(term); });
   if (!half) return;
   const Counted3 o = forms::viewer(), i = forms::light();
   (void)forms::dot(o, forms::half_vector(o, i));

@@ -25,8 +25,9 @@ struct ShaderOperations {
 /// \throws InputError for a term that no shader computes in closed form or by a table (facet_diffuse)
 ShaderOperations shader_operations(const MaterialDescription& material);
 
-/// cost() of a shaded point under all lights (operations.hpp): view + light for each direction. A nearest point adds its
-/// direction, and a second set of directions for diffuse terms, which keep the middle.
-double shader_cost(const MaterialDescription& material, const std::vector<AdviceLight>& lights, const LightModel& model);
+/// cost() of a shaded point under all lights (operations.hpp): view + light for each direction. A nearest point adds
+/// its direction, and a second set of directions for diffuse terms, which keep the middle.
+double shader_cost(const MaterialDescription& material, const std::vector<AdviceLight>& lights,
+                   const LightModel& model);
 
 } // namespace brdfplot::choice

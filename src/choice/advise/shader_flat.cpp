@@ -85,7 +85,12 @@ const std::map<std::string, Form>& all_forms() {
       {"hammon_diffuse", {true, schlick_weight_of_view, hammon_light, one_product}},
       {"disney_diffuse", {true, schlick_weight_of_view, disney_light, one_product}},
       {"shirley",
-       {false, schlick_weight_of_view, [] { schlick_weight_of_light(); one_product(); }, one_product}},
+       {false, schlick_weight_of_view,
+        [] {
+          schlick_weight_of_light();
+          one_product();
+        },
+        one_product}},
       {"fresnel_lambert", {true, {}, schlick_weight_of_light, [] { (void)(N(0.5) * (N(1) - N(0.5) * N(0.5))); }}},
       {"disney_sheen", {true, {}, [] { (void)fifth_power(N(hl)); }, one_product}},
       {"velvet_cloth", {true, {}, velvet_light, velvet_channel}},

@@ -28,8 +28,8 @@ Vector<T> half_vector(const Vector<T>& o, const Vector<T>& i) {
   return {sum.x * scale, sum.y * scale, sum.z * scale};
 }
 
-/// Of a distribution that is stretched: 1 / alpha_x, 1 / alpha_y, correlation and 1 / sqrt(1 - r^2), mean slope, and the
-/// factor of D.
+/// Of a distribution that is stretched: 1 / alpha_x, 1 / alpha_y, correlation and 1 / sqrt(1 - r^2), mean slope, and
+/// the factor of D.
 template <class T>
 struct Stretch {
   T inverse_x, inverse_y, r, inverse_q, mean_x, mean_y, factor;

@@ -59,8 +59,8 @@ N masked(const TermDescription& term, const Counted3& w) {
   }
   if (by == "sheen_fit") return masked_sheen_fit(w.z, N(1), N(2), N(0.5), N(-1), N(1), N(0.5));
   const N s2 = projected2(w, roughness_of(d));
-  const bool as_ggx = d.type == "ggx" || (term.masking.values.has("lambda_of") &&
-                                          term.masking.values.text("lambda_of") == "ggx");
+  const bool as_ggx =
+      d.type == "ggx" || (term.masking.values.has("lambda_of") && term.masking.values.text("lambda_of") == "ggx");
   if (by == "smith_rational") return masked_walter(w.z, s2);
   if (by == "smith" && as_ggx) return masked_ggx(w.z, s2);
   if (by == "smith" && d.type == "beckmann") return masked_beckmann(w.z, s2);

@@ -67,8 +67,8 @@ private:
     const ReachedAngles& r = advice_.reached;
     std::string differences;
     for (const auto& [least, most] : r.difference)
-      differences += (differences.empty() ? "" : ", ") +
-                     (least < most ? degrees(least) + " to " + degrees(most) : degrees(most));
+      differences +=
+          (differences.empty() ? "" : ", ") + (least < most ? degrees(least) + " to " + degrees(most) : degrees(most));
     line("reaches", "θ_o " + degrees(r.least_view) + " to " + degrees(r.largest_view) + ", θ_i " +
                         degrees(r.least_light) + " to " + degrees(r.largest_light) + "; θ_d (the angle of F) only " +
                         differences + ": nothing is said of others");
@@ -83,11 +83,10 @@ private:
       return;
     }
     const Model& best = model(*advice_.answer);
-    line("answer", "cost " + whole(best.cost) + " of " + whole(full.cost) + " (" +
-                       percent(best.cost / full.cost - 1) + ", estimated operations for each point)   " +
-                       metric_name(scene_.tolerance.metric) + " " + errors_text(best_known(best)) + "   [tolerance " +
-                       short_number(scene_.tolerance.value) + ", worst 1 % " +
-                       short_number(2 * scene_.tolerance.value) + "]");
+    line("answer", "cost " + whole(best.cost) + " of " + whole(full.cost) + " (" + percent(best.cost / full.cost - 1) +
+                       ", estimated operations for each point)   " + metric_name(scene_.tolerance.metric) + " " +
+                       errors_text(best_known(best)) + "   [tolerance " + short_number(scene_.tolerance.value) +
+                       ", worst 1 % " + short_number(2 * scene_.tolerance.value) + "]");
     line("", joined_labels(simplifications(advice_, best)));
     if (scene_.budget)
       line("budget", short_number(*scene_.budget) + (advice_.within_budget(scene_) ? ": met" : ": not met"));
@@ -129,8 +128,8 @@ private:
     const Model& next = model(*advice_.next_cheaper);
     if (advice_.answer) {
       line("next", "cost " + whole(next.cost) + ": " + joined_labels(simplifications(advice_, next)));
-      line("verified", "at " + std::to_string(advice_.dense_places) + " places: " +
-                           short_number(decisive(model(*advice_.answer))) + " and (the next cheaper) " +
+      line("verified", "at " + std::to_string(advice_.dense_places) +
+                           " places: " + short_number(decisive(model(*advice_.answer))) + " and (the next cheaper) " +
                            short_number(decisive(next)) + " of " + short_number(scene_.tolerance.value));
     } else if (advice_.best_cheaper) {
       line("nearest", "cost " + whole(model(*advice_.best_cheaper).cost) + ", off by " +
@@ -152,9 +151,7 @@ private:
 
 } // namespace
 
-std::string advice_text(const AdviceScene& scene, const MaterialAdvice& advice) {
-  return Writer(scene, advice).text();
-}
+std::string advice_text(const AdviceScene& scene, const MaterialAdvice& advice) { return Writer(scene, advice).text(); }
 
 std::string models_csv(const AdviceScene& scene, const MaterialAdvice& advice) {
   std::string out = "cost,error,p95,worst,light,verified,within,answer,model\n";

@@ -79,8 +79,8 @@ std::vector<Option> LighterCoat::of(const MaterialDescription& material) {
       out.push_back(option_of(layer));
       const std::string name = layer.name;
       if (layer.values.has("tint") && layer.values.rgb("tint") != Rgb{1, 1, 1})
-        out.push_back({"tint of " + name,
-                       {{"tint of " + name + ": none", [name](Draft& d) { return drop_tint(d, name); }}}});
+        out.push_back(
+            {"tint of " + name, {{"tint of " + name + ": none", [name](Draft& d) { return drop_tint(d, name); }}}});
     }
   return out;
 }

@@ -43,9 +43,10 @@ bool make_qualitative(Draft& draft, const std::string& name) {
 } // namespace
 
 std::vector<Option> FlatterDiffuse::of(const MaterialDescription& material) {
-  static const std::vector<std::string> rough = {"eon",           "fujii_oren_nayar", "oren_nayar",      "disney_diffuse",
-                                                 "facet_diffuse", "hammon_diffuse",   "fresnel_lambert", "shirley",
-                                                 "complement"};
+  static const std::vector<std::string> rough = {
+      "eon",           "fujii_oren_nayar", "oren_nayar",      "disney_diffuse",
+      "facet_diffuse", "hammon_diffuse",   "fresnel_lambert", "shirley",
+      "complement"};
   std::vector<Option> out;
   for (const TermDescription& term : material.terms) {
     if (std::ranges::find(rough, term.type) == rough.end()) continue;

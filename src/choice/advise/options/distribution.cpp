@@ -38,7 +38,8 @@ bool make_ggx(Draft& draft, const std::string& name) {
   const std::array<double, 2> alpha = alpha_of(term->distribution);
   ModelChoice ggx{.type = "ggx"};
   for (const char* key : {"correlation", "mean_slope"})
-    if (const auto& map = term->distribution.values.map(); map.contains(key)) ggx.values.set(key, map.find(key)->second);
+    if (const auto& map = term->distribution.values.map(); map.contains(key))
+      ggx.values.set(key, map.find(key)->second);
   if (alpha[0] == alpha[1]) { // NOLINT(clang-diagnostic-float-equal)
     ggx.values.set("alpha", alpha[0]);
   } else {
@@ -60,9 +61,9 @@ std::vector<Option> SingleLobe::of(const MaterialDescription& material) {
   for (const TermDescription& term : material.terms) {
     const std::string name = term.name, type = term.distribution.type;
     if (term.type != "mirror" || std::ranges::find(dearer, type) == dearer.end()) continue;
-    out.push_back({"lobe of " + name,
-                   {{"lobe of " + name + ": GGX (was " + type + ")",
-                     [name](Draft& draft) { return make_ggx(draft, name); }}}});
+    out.push_back({"lobe of " + name, {{"lobe of " + name + ": GGX (was " + type + ")", [name](Draft& draft) {
+                                          return make_ggx(draft, name);
+                                        }}}});
   }
   return out;
 }

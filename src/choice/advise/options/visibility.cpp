@@ -12,7 +12,9 @@ struct Form {
   std::string label, masking, shadowing;
 };
 
-std::string shadowing_of(const TermDescription& term) { return term.shadowing ? term.shadowing->type : "height_correlated"; }
+std::string shadowing_of(const TermDescription& term) {
+  return term.shadowing ? term.shadowing->type : "height_correlated";
+}
 
 std::vector<Form> forms_for(const std::string& distribution) {
   std::vector<Form> forms = {{"height-correlated", "smith", "height_correlated"}};
