@@ -143,7 +143,7 @@ Eigen::MatrixXd jacobian(const Residuals& residuals, const std::vector<Coordinat
     Eigen::VectorXd y = x;
     for (Eigen::Index c = k; c < k + channels; ++c) {
       const double step = at.parameter.key == "alpha" ? 0.01 : std::max(0.01 * std::fabs(x[c]), 1e-4);
-      y[c] = within(at, x[c] + step) > x[c] ? x[c] + step : x[c] - step;
+      y[c] = within(at, x[c] + step) == x[c] + step ? x[c] + step : x[c] - step;
     }
     const Eigen::VectorXd change = residuals.at(y) - now;
     for (Eigen::Index c = 0; c < channels; ++c) {
