@@ -41,7 +41,7 @@ struct Series {
   /// Standard error of each y, drawn as bars or a band of twice its size; empty: y is exact.
   std::vector<double> error{};
   /// Of each point: a dot with this name beside it, instead of a line; an empty name: the dot alone. Empty: a line.
-  /// Kind::lines only. A name that has no room without covering another, a dot or the frame is left out.
+  /// Kind::lines only. A name that has no room without covering another, a dot or the frame is the dot's title.
   std::vector<std::string> names{};
 };
 

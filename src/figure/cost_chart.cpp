@@ -134,6 +134,15 @@ Series dots_of(const std::vector<CostPoint>& points, const std::string& group, b
   return series;
 }
 
+/// From the least of a cost to where it spreads to.
+Series spread_of(const CostPoint& point, std::size_t style) {
+  return {.label = "",
+          .x = {point.cost, point.cost_to},
+          .y = {point.error, point.error},
+          .style = static_cast<int>(style % front_style),
+          .ramp = {}};
+}
+
 Panel panel_of(const CostChart& chart, const std::vector<std::string>& groups) {
   Panel panel;
   const std::vector<CostPoint> points = distinct(chart.points);
@@ -144,6 +153,10 @@ Panel panel_of(const CostChart& chart, const std::vector<std::string>& groups) {
   set_range(panel.x, chart.points, &CostPoint::cost, 1.1);
   set_range(panel.y, chart.points, &CostPoint::error, 3);
   panel.series.push_back(staircase(chart.points, panel.x));
+  for (const auto& point : points)
+    if (point.cost_to > point.cost)
+      panel.series.push_back(
+          spread_of(point, static_cast<std::size_t>(std::ranges::find(groups, point.group) - groups.begin())));
   // Those on the front are named first: they get the places nearest to their dots.
   for (const bool on_front : {true, false})
     for (std::size_t g = 0; g < groups.size(); ++g) {

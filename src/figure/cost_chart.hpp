@@ -18,6 +18,7 @@ struct CostPoint {
   double error = 0;
   bool on_front = false;
   std::string group{}; ///< points of a group share a colour, and an entry of the legend; in the order they come in
+  double cost_to = 0;  ///< above `cost`: how far a measured cost spreads, drawn as a line to there
 };
 
 /// One panel.

@@ -20,7 +20,8 @@ CostPoint point_of(const choice::ProblemResult& result, std::size_t k, choice::C
                   .cost = result.cost_of(k, cost),
                   .error = result.error_of(k, error),
                   .on_front = result.front(cost, error).on_front[k],
-                  .group = std::string(kind_word(method.kind))};
+                  .group = std::string(kind_word(method.kind)),
+                  .cost_to = cost == choice::CostKind::measured ? result.methods[k].time->upper_quartile : 0};
   if (!(point.error > hopeless) || std::isinf(point.error)) return point;
   std::array<char, 24> text{};
   std::snprintf(text.data(), text.size(), " (%.0e)", point.error);
@@ -79,7 +80,9 @@ Figure pareto_figure(const choice::ProblemResult& result) {
 }
 
 Figure pareto_figure(const choice::ProblemResult& result, const choice::MachineRecord& machine) {
-  return figure_of(result, choice::CostKind::measured, "_time", machine.text());
+  Figure figure = figure_of(result, choice::CostKind::measured, "_time", machine.text());
+  figure.description += " Lines run from the least time to the upper quartile.";
+  return figure;
 }
 
 } // namespace brdfplot::plot

@@ -337,12 +337,21 @@ class Checker:
                 self.faults.append(f"{name}: the {who} {'accepts' if accepts else 'refuses'} it")
 
 
+def files_of(kind: str, configs: Path) -> list[Path]:
+    """Scenes are of two kinds: of those with materials and lights `advise` answers."""
+    folder = "scenes" if kind == "advice" else f"{kind}s"
+    files = sorted((configs / folder).glob("*.json"))
+    if folder != "scenes":
+        return files
+    return [file for file in files if ("materials" in json.loads(file.read_text(encoding="utf-8"))) == (kind == "advice")]
+
+
 def main(binary: Path, configs: Path) -> int:
     with tempfile.TemporaryDirectory() as folder:
         checker = Checker(binary, Path(folder))
         count = 0
         for kind in BASES:
-            files = sorted((configs / f"{kind}s").glob("*.json"))
+            files = files_of(kind, configs)
             if not files:
                 checker.faults.append(f"no {kind} in {configs}")
             for file in files:

@@ -43,6 +43,16 @@ TEST_CASE("cost chart: the front is a staircase, and what has no place is told o
   CHECK(panel.series[3].names == std::vector<std::string>{"worse"});
 }
 
+TEST_CASE("cost chart: a measured cost has its spread as a line") {
+  CostChart measured = chart();
+  measured.points[1].cost_to = 3;
+  const Figure figure = cost_figure({measured}, "chart", "", "");
+  const Series& spread = figure.panels.at(0).series.at(1);
+  CHECK(spread.x == std::vector<double>{2, 3});
+  CHECK(spread.y == std::vector<double>{2e-1, 2e-1});
+  CHECK(spread.names.empty());
+}
+
 TEST_CASE("cost chart: every name is drawn once, every group has one entry in the legend") {
   const std::string svg = to_svg(cost_figure({chart()}, "chart", "Costs", "What costs what."));
   for (const char* name : {">cheap<", ">worse<", ">good<", ">a<", ">b<", ">front<"}) {

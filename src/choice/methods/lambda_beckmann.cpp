@@ -87,7 +87,7 @@ struct TabulatedBeckmann {
 /// 0.5 erfc and the exponential agree to 1 / (2 a^2): of 50 digits 46 are left at a = 26.
 Exact exact_beckmann(std::span<const double> x) {
   const Real a = x[0];
-  const Real root_pi = boost::math::constants::root_pi<Real>();
+  const Real& root_pi = boost::math::constants::root_pi<Real>();
   return exact_of(Real(exp(Real(-a * a)) / (2 * a * root_pi) - boost::math::erfc(a) / 2));
 }
 

@@ -18,6 +18,7 @@ Problem lambda_beckmann();
 Problem lambda_ggx();
 Problem lambda_sheen();
 Problem lambda_student_t();
+Problem sample_beckmann();
 
 /// Each makes a problem.
 inline constexpr std::array problem_list = {
@@ -30,6 +31,7 @@ inline constexpr std::array problem_list = {
     &fresnel_dielectric, //
     &fresnel_conductor,  //
     &brdf_ggx,           //
+    &sample_beckmann,    //
     &albedo_ggx,         //
     &albedo_ggx_a,       //
     &albedo_ggx_b,       //

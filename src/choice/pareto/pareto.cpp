@@ -64,15 +64,15 @@ bool ProblemResult::has_costs() const {
   return std::ranges::any_of(methods, [](const MethodResult& m) { return m.cost.has_value(); });
 }
 
-double ProblemResult::cost_of(std::size_t k, CostKind kind) const {
-  const MethodResult& m = methods[k];
+double ProblemResult::cost_of(std::size_t method, CostKind kind) const {
+  const MethodResult& m = methods[method];
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (kind == CostKind::measured) return m.time ? m.time->least : unknown;
   return m.method.portable ? m.cost.value_or(unknown) : unknown;
 }
 
-double ProblemResult::error_of(std::size_t k, ErrorKind kind) const {
-  const Errors& errors = methods[k].errors;
+double ProblemResult::error_of(std::size_t method, ErrorKind kind) const {
+  const Errors& errors = methods[method].errors;
   return std::fabs(kind == ErrorKind::relative ? errors.relative.error : errors.absolute().error);
 }
 

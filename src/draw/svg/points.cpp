@@ -37,6 +37,12 @@ bool crosses(Point a, Point b, const Box& box) {
   return false;
 }
 
+/// Whether two segments have an inner point in common.
+bool cross(Point a, Point b, Point c, Point d) {
+  const auto side = [](Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
 /// The point of a box nearest to another.
 Point nearest_in(const Box& box, Point p) {
   return {std::clamp(p.x, box.x, box.right()), std::clamp(p.y, box.y, box.bottom())};
@@ -112,7 +118,8 @@ private:
       if (box.touches(dot_box(other), 1)) return true;
       if (!other.place) return false;
       if (box.touches(*other.place, 1) || crosses(point.at, end, *other.place)) return true;
-      return crosses(other.at, nearest_in(*other.place, other.at), box);
+      const Point other_end = nearest_in(*other.place, other.at);
+      return crosses(other.at, other_end, box) || cross(point.at, end, other.at, other_end);
     });
   }
 
@@ -137,6 +144,20 @@ private:
   std::vector<NamedPoint>& points_;
   std::vector<std::vector<Point>> lines_;
 };
+
+/// The dot; a name that has no room beside it is told where a pointer rests on it.
+void draw_dot(SvgWriter& svg, const NamedPoint& point) {
+  PathData dot;
+  dot.dot(point.at, point_radius);
+  const bool hidden = !point.place && !point.name.empty();
+  if (hidden) {
+    std::string title = "<g><title>";
+    append_escaped(title, strip_markup(point.name));
+    svg.raw(title + "</title>\n");
+  }
+  svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
+  if (hidden) svg.close_group();
+}
 
 /// One name after the other; those that find no room go first the next time.
 void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
@@ -174,11 +195,7 @@ void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
     leaders.line(end);
   }
   if (!leaders.empty()) svg.path(leaders, {"bp-no bp-frame", 0.7, {}, {}});
-  for (const auto& point : points) {
-    PathData dot;
-    dot.dot(point.at, point_radius);
-    svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
-  }
+  for (const auto& point : points) draw_dot(svg, point);
   for (const auto& point : points)
     if (point.place)
       svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start,
