@@ -77,6 +77,7 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
                                               cli::add_check(app, settings),
                                               cli::add_fit(app, settings),
                                               cli::add_pareto(app, settings),
+                                              cli::add_advise(app, settings),
                                               cli::add_report(app, settings),
                                               cli::add_sample(app, settings),
                                               cli::add_simulate(app, settings),
