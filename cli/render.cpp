@@ -26,6 +26,7 @@ RenderedFigure render(const plot::FigureDescription& description, simulation::St
   rendered.seconds = timed([&] {
     const plot::Figure figure = plot::compute(description, store, threads);
     rendered.svg = plot::to_svg(figure);
+    rendered.caption = figure.description;
     rendered.csv = plot::to_csv(figure);
   });
   return rendered;

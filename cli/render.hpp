@@ -21,6 +21,7 @@ void run_tasks(const std::vector<Task>& tasks, const Settings& settings);
 struct RenderedFigure {
   std::string svg;
   std::string csv;
+  std::string caption; ///< with its numbers
   double seconds = 0;
 };
 

@@ -67,8 +67,8 @@ struct Content {
   std::vector<config::EntryRecord> records;
 
   void add(const config::ReportEntry& entry, const plot::FigureDescription& figure, const Computed& computed) {
-    const auto& [svg, csv, seconds] = computed.figure;
-    page.push_back({figure.id, entry.section, figure.title, figure.caption, svg, csv, entry.json, {}, seconds});
+    const auto& [svg, csv, caption, seconds] = computed.figure;
+    page.push_back({figure.id, entry.section, figure.title, caption, svg, csv, entry.json, {}, seconds});
     const std::string stem = "figures/" + figure.id;
     records.push_back({figure.id, "figure", {stem + ".svg", stem + ".csv"}, seconds, {}});
     files.push_back({stem + ".svg", svg});

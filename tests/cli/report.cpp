@@ -19,7 +19,9 @@ const std::string manifest = R"({
     {"section": "Tables", "data": {"id": "measured", "title": "Measured", "caption": "Elsewhere.", "file": "data.csv"}}
   ]})";
 
-const std::string curve = R"({"id": "curve", "kind": "lines", "title": "A curve", "caption": "One.",
+const std::string curve =
+    R"({"id": "curve", "kind": "lines", "title": "A curve", "caption": "One. It begins at {first}.",
+  "numbers": {"first": {"series": "GGX", "x": 0.1, "digits": 3}},
   "x": {"variable": "theta_o", "from": 0.1, "to": 1.5}, "y": {"label": "y"},
   "material": {"distribution": {"type": "ggx", "alpha": 0.5}},
   "panels": [{"series": [{"label": "GGX", "quantity": "g1"}]}]})";
@@ -70,6 +72,7 @@ TEST_CASE("the folder of a report") {
     for (const auto& file : entry.at("files")) CHECK(folder.has("out/" + file.get<std::string>()));
   CHECK(record["entries"][1].at("rows").size() == 4);
   CHECK(folder.read("out/index.html").find("They are small.") != std::string::npos);
+  CHECK(folder.read("out/index.html").find("One. It begins at 0.999.") != std::string::npos);
 }
 
 TEST_CASE("the report on Kelemen and Szirmay-Kalos: what its captions say is what its data are") {
