@@ -81,6 +81,7 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
                                               cli::add_report(app, settings),
                                               cli::add_sample(app, settings),
                                               cli::add_simulate(app, settings),
+                                              cli::add_compare(app, settings),
                                               cli::add_convert(app, settings),
                                               cli::add_list(app),
                                               cli::add_help(app),

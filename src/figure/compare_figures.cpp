@@ -58,8 +58,9 @@ FigureDescription figure_of(const std::string& id, Kind kind, const std::string&
 }
 
 FigureDescription lobes(const std::vector<MaterialDescription>& materials) {
-  FigureDescription out = figure_of("lobes", Kind::polar, "Lobes in the plane of incidence",
-                                    "ρ cos θ_i of each material for three angles of the viewer; of what is coloured the luminance.");
+  FigureDescription out =
+      figure_of("lobes", Kind::polar, "Lobes in the plane of incidence",
+                "ρ cos θ_i of each material for three angles of the viewer; of what is coloured the luminance.");
   out.columns = 2;
   for (const double theta : {20.0, 45.0, 70.0}) {
     PanelDescription panel;
@@ -96,9 +97,10 @@ FigureDescription differences(const std::vector<MaterialDescription>& materials)
 }
 
 FigureDescription spheres(const std::vector<MaterialDescription>& materials) {
-  FigureDescription out = figure_of("spheres", Kind::spheres, "Lit spheres",
-                                    "The spheres of which ΔE_ITP is told: a key light 45° from the viewer, a rim light at 140° and a "
-                                    "fill light at 70°, with discs of 3°.");
+  FigureDescription out =
+      figure_of("spheres", Kind::spheres, "Lit spheres",
+                "The spheres of which ΔE_ITP is told: a key light 45° from the viewer, a rim light at 140° and a "
+                "fill light at 70°, with discs of 3°.");
   out.columns = static_cast<int>(std::min<std::size_t>(materials.size(), 3));
   for (const MaterialDescription& material : materials) {
     PanelDescription panel;
@@ -115,7 +117,7 @@ FigureDescription spheres(const std::vector<MaterialDescription>& materials) {
       // Of a disc of even radiance the irradiance across its direction is that times pi sin^2 of the radius.
       const double area = std::numbers::pi * std::sin(light.radius) * std::sin(light.radius);
       one.colour = light.irradiance;
-      for (double& channel : one.colour.rgb) channel /= area;
+      for (double& channel : one.colour.value) channel /= area;
       panel.sphere->lights.push_back(one);
     }
     out.panels.push_back(std::move(panel));

@@ -36,7 +36,9 @@ std::string colour_text(const Rgb& rgb) {
   return digits(rgb[0], 4) + " " + digits(rgb[1], 4) + " " + digits(rgb[2], 4);
 }
 
-std::string with_error(double value, double error) { return digits(100 * value, 3) + " % (± " + digits(100 * error, 1) + ")"; }
+std::string with_error(double value, double error) {
+  return digits(100 * value, 3) + " % (± " + digits(100 * error, 1) + ")";
+}
 
 bool is_coloured(const MaterialDifference& one) {
   for (const AlbedoPair& pair : one.albedo)
@@ -54,12 +56,13 @@ std::string comparison_text(const std::string& a, const std::vector<MaterialDiff
       out += "  " + head + std::string(22 - head.size(), ' ') + text + "\n";
     };
     const bool coloured = is_coloured(one);
-    line("largest", digits(std::abs(one.largest.a - one.largest.b), 3) + " /sr of ρ cos θ_i " +
-                        pair_text(one.largest, coloured));
-    line("largest, relative", one.relative > 0 ? digits(100 * one.relative, 3) + " % " + pair_text(one.largest_relative, coloured)
-                                               : "none");
+    line("largest",
+         digits(std::abs(one.largest.a - one.largest.b), 3) + " /sr of ρ cos θ_i " + pair_text(one.largest, coloured));
+    line("largest, relative",
+         one.relative > 0 ? digits(100 * one.relative, 3) + " % " + pair_text(one.largest_relative, coloured) : "none");
     line("RMS", with_error(one.rms, one.rms_error) + " of the RMS of " + a);
-    line("light", with_error(one.light, one.light_error) + " of what " + a + " reflects goes elsewhere, or is more or less");
+    line("light",
+         with_error(one.light, one.light_error) + " of what " + a + " reflects goes elsewhere, or is more or less");
     line("sphere", "ΔE_ITP " + digits(one.sphere.p95, 3) + " (95th percentile), " + digits(one.sphere.worst, 3) +
                        " (worst 1 %); light " + digits(100 * one.sphere.energy, 2) + " %");
     for (const AlbedoPair& pair : one.albedo)
@@ -80,11 +83,13 @@ std::string comparison_csv(const std::vector<MaterialDifference>& all) {
     const std::string name = quoted(one.name);
     const auto row = [&](const std::string& quantity, const std::string& angle, const std::string& channel,
                          const std::string& a, const std::string& b, double value, const std::string& error) {
-      out += name + "," + quantity + "," + angle + "," + channel + "," + a + "," + b + "," + format_number(value) + "," + error + "\n";
+      out += name + "," + quantity + "," + angle + "," + channel + "," + a + "," + b + "," + format_number(value) +
+             "," + error + "\n";
     };
     const auto pair = [&](const std::string& quantity, const DifferentPair& at, double value) {
       const double theta = std::atan2(std::hypot(at.omega_o.x, at.omega_o.y), at.omega_o.z);
-      row(quantity, format_number(theta), std::string(1, "rgb"[at.channel]), format_number(at.a), format_number(at.b), value, "");
+      row(quantity, format_number(theta), std::string(1, "rgb"[at.channel]), format_number(at.a), format_number(at.b),
+          value, "");
     };
     pair("largest", one.largest, std::abs(one.largest.a - one.largest.b));
     pair("largest_relative", one.largest_relative, one.relative);
