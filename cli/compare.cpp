@@ -82,8 +82,17 @@ void write_files(const Compared& compared, const std::string& folder, const Sett
   run_tasks(tasks, settings);
   plot::Page page;
   page.title = "Materials compared with " + compared.materials[0].name;
-  page.introduction = choice::comparison_text(compared.materials[0].name, compared.differences);
+  page.introduction =
+      "Differences are over all pairs of directions, with standard errors of the sums; the largest ones are "
+      "the largest that a search has found.";
   page.footer = "made by brdfplot " + std::string(version) + " compare";
+  for (std::size_t k = 0; k < compared.differences.size(); ++k) {
+    std::vector<std::vector<std::string>> table = {{"what", "how far apart"}};
+    for (auto& row : choice::comparison_rows(compared.materials[0].name, compared.differences[k]))
+      table.push_back(std::move(row));
+    page.entries.push_back({"table" + std::to_string(k + 1), "Numbers", compared.differences[k].name, "", "",
+                            choice::comparison_csv({compared.differences[k]}), "", std::move(table), 0});
+  }
   std::vector<NamedText> files = {
       {in_folder(folder, "compare.csv"), choice::comparison_csv(compared.differences)},
       {in_folder(folder, "compare.json"),

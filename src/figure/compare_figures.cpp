@@ -60,9 +60,9 @@ FigureDescription figure_of(const std::string& id, Kind kind, const std::string&
 FigureDescription lobes(const std::vector<MaterialDescription>& materials) {
   FigureDescription out =
       figure_of("lobes", Kind::polar, "Lobes in the plane of incidence",
-                "ρ cos θ_i of each material for three angles of the viewer; of what is coloured the luminance.");
+                "ρ cos θ_i of each material for four angles of the viewer; of what is coloured the luminance.");
   out.columns = 2;
-  for (const double theta : {20.0, 45.0, 70.0}) {
+  for (const double theta : {20.0, 45.0, 70.0, 85.0}) {
     PanelDescription panel;
     panel.title = "θ_o = " + std::to_string(std::lround(theta)) + "°";
     panel.x = angle_axis("θ_i", "theta_i", -90, 90);

@@ -26,6 +26,7 @@ constexpr double pi = std::numbers::pi;
 constexpr unsigned viewer_angles = 16;
 constexpr std::size_t replicates = 8; ///< independent sets of points
 constexpr double least_share = 1e-3;  ///< of A's largest f, for relative differences
+constexpr int most_moves = 200;
 constexpr double albedo_tolerance = 1e-6;
 
 struct Viewer {
@@ -170,7 +171,8 @@ private:
   void climb(DifferentPair& pair, const F& measure) const {
     double best = measure(pair.a, pair.b);
     if (!(best > 0)) return;
-    for (double step = 0.05; step > 1e-6;) {
+    int moves = 0;
+    for (double step = 0.05; step > 1e-6 && moves < most_moves;) {
       bool moved = false;
       for (const auto& [u, v] : {std::pair(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
         const DifferentPair next = at(pair, moved_by(pair.omega_i, step * u, step * v));
@@ -179,6 +181,7 @@ private:
         best = value;
         pair = next;
         moved = true;
+        ++moves;
       }
       if (!moved) step /= 2;
     }

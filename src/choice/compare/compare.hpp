@@ -57,7 +57,9 @@ MaterialDifference difference_of(const MaterialDescription& a, const MaterialDes
 MaterialDescription refitted_to(const MaterialDescription& a, const MaterialDescription& b,
                                 const std::vector<std::string>& free, int threads);
 
-/// The table that people read.
+/// What is compared, and how it is, one of two cells a row.
+std::vector<std::vector<std::string>> comparison_rows(const std::string& a, const MaterialDifference& one);
+/// The same as people read it.
 std::string comparison_text(const std::string& a, const std::vector<MaterialDifference>& all);
 /// quantity,material,theta_o,channel,a,b,value rows of the same.
 std::string comparison_csv(const std::vector<MaterialDifference>& all);

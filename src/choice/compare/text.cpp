@@ -48,26 +48,30 @@ bool is_coloured(const MaterialDifference& one) {
 
 } // namespace
 
+std::vector<std::vector<std::string>> comparison_rows(const std::string& a, const MaterialDifference& one) {
+  const bool coloured = is_coloured(one);
+  std::vector<std::vector<std::string>> rows = {
+      {"largest",
+       digits(std::abs(one.largest.a - one.largest.b), 3) + " /sr of ρ cos θ_i " + pair_text(one.largest, coloured)},
+      {"largest, relative",
+       one.relative > 0 ? digits(100 * one.relative, 3) + " % " + pair_text(one.largest_relative, coloured) : "none"},
+      {"RMS", with_error(one.rms, one.rms_error) + " of the RMS of " + a},
+      {"light",
+       with_error(one.light, one.light_error) + " of what " + a + " reflects goes elsewhere, or is more or less"},
+      {"sphere", "ΔE_ITP " + digits(one.sphere.p95, 3) + " (95th percentile), " + digits(one.sphere.worst, 3) +
+                     " (worst 1 %); light " + digits(100 * one.sphere.energy, 2) + " %"}};
+  for (const AlbedoPair& pair : one.albedo)
+    rows.push_back({"albedo at " + std::to_string(std::lround(pair.theta_o * 180 / std::numbers::pi)) + "deg",
+                    colour_text(pair.a) + " and " + colour_text(pair.b)});
+  return rows;
+}
+
 std::string comparison_text(const std::string& a, const std::vector<MaterialDifference>& all) {
   std::string out;
   for (const MaterialDifference& one : all) {
     out += (out.empty() ? "" : "\n") + one.name + " against " + a + "\n";
-    const auto line = [&](const std::string& head, const std::string& text) {
-      out += "  " + head + std::string(22 - head.size(), ' ') + text + "\n";
-    };
-    const bool coloured = is_coloured(one);
-    line("largest",
-         digits(std::abs(one.largest.a - one.largest.b), 3) + " /sr of ρ cos θ_i " + pair_text(one.largest, coloured));
-    line("largest, relative",
-         one.relative > 0 ? digits(100 * one.relative, 3) + " % " + pair_text(one.largest_relative, coloured) : "none");
-    line("RMS", with_error(one.rms, one.rms_error) + " of the RMS of " + a);
-    line("light",
-         with_error(one.light, one.light_error) + " of what " + a + " reflects goes elsewhere, or is more or less");
-    line("sphere", "ΔE_ITP " + digits(one.sphere.p95, 3) + " (95th percentile), " + digits(one.sphere.worst, 3) +
-                       " (worst 1 %); light " + digits(100 * one.sphere.energy, 2) + " %");
-    for (const AlbedoPair& pair : one.albedo)
-      line("albedo at " + std::to_string(std::lround(pair.theta_o * 180 / std::numbers::pi)) + " deg",
-           colour_text(pair.a) + " and " + colour_text(pair.b));
+    for (const auto& row : comparison_rows(a, one))
+      out += "  " + row[0] + std::string(20 - row[0].size(), ' ') + row[1] + "\n";
   }
   return out;
 }
