@@ -30,7 +30,9 @@ struct Command {
 Command add_eval(CLI::App& app, const Settings& settings);
 Command add_pareto(CLI::App& app, const Settings& settings);
 Command add_plot(CLI::App& app, const Settings& settings);
+Command add_advise(CLI::App& app, const Settings& settings);
 Command add_check(CLI::App& app, const Settings& settings);
+Command add_compare(CLI::App& app, const Settings& settings);
 Command add_convert(CLI::App& app, const Settings& settings);
 Command add_fit(CLI::App& app, const Settings& settings);
 Command add_report(CLI::App& app, const Settings& settings);

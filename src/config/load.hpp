@@ -8,6 +8,8 @@
 
 #include "analysis/properties.hpp"
 #include "brdf/material.hpp"
+#include "choice/advise/advise.hpp"
+#include "choice/compare/compare.hpp"
 #include "figure/description.hpp"
 #include "simulation/scene.hpp"
 
@@ -57,7 +59,21 @@ ReportFile load_report(const std::string& path);
 /// relative to the file that names it.
 simulation::SceneDescription load_scene(const std::string& path);
 
-/// The kinds of file that have a schema: material, figure, report, scene.
+/// A scene for which the least model is looked for.
+choice::AdviceScene load_advice(const std::string& path);
+
+/// A material as a file that load_material() reads, indented, ending in a newline. Paths of files that it names become
+/// absolute.
+std::string material_text(const MaterialDescription& material);
+
+/// What `compare` found, as JSON; with the materials that were fitted, if they were.
+std::string comparison_record(const std::string& a, const std::vector<choice::MaterialDifference>& all,
+                              const std::vector<MaterialDescription>& refitted);
+
+/// What `advise --json` prints.
+std::string advice_record(const choice::AdviceScene& scene, const std::vector<choice::MaterialAdvice>& all);
+
+/// The kinds of file that have a schema: material, figure, report, scene, advice.
 const std::vector<std::string>& kinds();
 
 /// The JSON Schema (draft 2020-12) of a kind, indented, ending in a newline. \throws InputError for an unknown kind.

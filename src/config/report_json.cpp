@@ -190,7 +190,7 @@ ReportFile load_report(const std::string& path) {
 }
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all = {"material", "figure", "report", "scene"};
+  static const std::vector<std::string> all = {"material", "figure", "report", "scene", "advice"};
   return all;
 }
 
@@ -204,6 +204,8 @@ std::string schema(const std::string& kind) {
     shape = report_shape();
   else if (kind == "scene")
     shape = scene_shape();
+  else if (kind == "advice")
+    shape = advice_shape();
   else
     throw InputError("schema", unknown_name("kind", kind, kinds()));
   return json_schema(*shape, "brdfplot " + kind).dump(2) + "\n";
@@ -215,8 +217,17 @@ std::string kind_of_file(const JsonFile& file) {
   if (root.contains("panels") || root.contains("kind")) return "figure";
   if (root.contains("entries")) return "report";
   if (root.contains("surface") || root.contains("measures")) return "scene";
+  if (root.contains("materials")) return "advice";
   return "material";
 }
+
+namespace {
+
+std::string with_article(const std::string& kind) {
+  return kind == "advice" ? "a scene with materials and lights" : "a " + kind;
+}
+
+} // namespace
 
 void expect_kind(const JsonFile& file, const std::string& kind) {
   const std::string found = kind_of_file(file);
@@ -226,8 +237,9 @@ void expect_kind(const JsonFile& file, const std::string& kind) {
   const std::string takes = found == "figure"   ? "plot"
                             : found == "report" ? "report"
                             : found == "scene"  ? "simulate"
+                            : found == "advice" ? "advise"
                                                 : "eval, plot -q, check, fit, sample";
-  file.fail("", "found a " + found + " (brdfplot " + takes + "), accepted: a " + kind);
+  file.fail("", "found " + with_article(found) + " (brdfplot " + takes + "), accepted: " + with_article(kind));
 }
 
 std::string validate(const std::string& path) {
@@ -235,6 +247,7 @@ std::string validate(const std::string& path) {
   if (kind == "figure") return load_figure(path), kind;
   if (kind == "report") return load_report(path), kind;
   if (kind == "scene") return load_scene(path), kind;
+  if (kind == "advice") return load_advice(path), kind;
   return load_material(path), kind;
 }
 

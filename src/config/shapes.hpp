@@ -15,6 +15,7 @@ ShapePtr material_shape(bool top);
 ShapePtr figure_shape();
 ShapePtr report_shape();
 ShapePtr scene_shape();
+ShapePtr advice_shape();
 
 /// What a file is, by its keys: "figure", "report", "scene" or "material". \throws InputError when it is no object
 std::string kind_of_file(const JsonFile& file);

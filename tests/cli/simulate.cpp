@@ -17,6 +17,7 @@ TEST_CASE("every scene in configs can be simulated") {
   const Folder folder;
   for (const auto& entry : fs::directory_iterator(folder.path() / "configs" / "scenes")) {
     if (entry.path().extension() != ".json") continue;
+    if (read_file(entry.path()).find("\"surface\"") == std::string::npos) continue; // for advise
     const std::string file = "configs/scenes/" + entry.path().filename().string();
     const std::string out = check_output(folder, "brdfplot simulate " + file);
     CHECK(out.starts_with("# surface\n\n| realisation | alpha_x "));

@@ -39,7 +39,12 @@ SCENE = {
     "surface": {"type": "gaussian", "alpha": 0.5, "samples": 64, "correlation_length": 4},
     "measures": [{"type": "g2", "theta_o": ["60deg", 1], "delta_phi": "20deg"}],
 }
-BASES = {"material": MATERIAL, "figure": FIGURE, "report": REPORT, "scene": SCENE}
+ADVICE = {
+    "materials": [{"material": MATERIAL, "ranges": {"alpha": [0.2, 0.3]}}],
+    "lights": [{"theta": "45deg", "irradiance": 1}],
+    "tolerance": {"delta_e": 2},
+}
+BASES = {"material": MATERIAL, "figure": FIGURE, "report": REPORT, "scene": SCENE, "advice": ADVICE}
 PROFILE = {
     "id": "f",
     "kind": "profile",
@@ -105,6 +110,12 @@ GOOD = [
     ("figure", "/profile", {"seed": 3, "cells": 12}),
     ("report", "/introduction", "I"),
     ("report", "/entries/0/table/tolerance", 1e-3),
+    ("advice", "/name", "S"),
+    ("advice", "/lights/0", {"theta": 1, "phi": "30deg", "radius": "5deg", "irradiance": [1, 2, 3]}),
+    ("advice", "/view", {"theta_o": [0, "30deg", "60deg"], "shares": [1, 2]}),
+    ("advice", "/exposure", 2),
+    ("advice", "/tolerance", {"relative": 0.1}),
+    ("advice", "/budget", 100),
     ("scene", "/name", "S"),
     ("scene", "/seed", 0),
     ("scene", "/realisations", 3),
@@ -158,6 +169,19 @@ BAD = [
     ("figure", "/id", GONE),
     ("figure", "/panels", GONE),
     ("figure", "/panels/0/series/0/label_", "x"),
+    ("advice", "/materials", []),
+    ("advice", "/materials/0/material", GONE),
+    ("advice", "/materials/0/ranges", {"alpha": []}),
+    ("advice", "/lights", GONE),
+    ("advice", "/lights/0/theta", GONE),
+    ("advice", "/lights/0/irradiance", -1),
+    ("advice", "/lights/0/type", "directional"),
+    ("advice", "/tolerance", {}),
+    ("advice", "/tolerance", {"delta_e": 1, "relative": 1}),
+    ("advice", "/tolerance/delta_e", 0),
+    ("advice", "/view", {"theta_o": [1]}),
+    ("advice", "/budget", 0),
+    ("advice", "/target", "shader"),
     ("scene", "/surface", GONE),
     ("scene", "/measures", GONE),
     ("scene", "/measures/0/theta_o", GONE),
@@ -313,12 +337,21 @@ class Checker:
                 self.faults.append(f"{name}: the {who} {'accepts' if accepts else 'refuses'} it")
 
 
+def files_of(kind: str, configs: Path) -> list[Path]:
+    """Scenes are of two kinds: of those with materials and lights `advise` answers."""
+    folder = "scenes" if kind == "advice" else f"{kind}s"
+    files = sorted((configs / folder).glob("*.json"))
+    if folder != "scenes":
+        return files
+    return [file for file in files if ("materials" in json.loads(file.read_text(encoding="utf-8"))) == (kind == "advice")]
+
+
 def main(binary: Path, configs: Path) -> int:
     with tempfile.TemporaryDirectory() as folder:
         checker = Checker(binary, Path(folder))
         count = 0
         for kind in BASES:
-            files = sorted((configs / f"{kind}s").glob("*.json"))
+            files = files_of(kind, configs)
             if not files:
                 checker.faults.append(f"no {kind} in {configs}")
             for file in files:

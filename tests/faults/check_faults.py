@@ -50,6 +50,12 @@ REPORT = {
             "distributions": ["ggx"], "alpha": [0.5], "theta_o": ["60deg"]}},
         {"section": "Tables", "data": {"id": "measured", "title": "Measured", "caption": "Elsewhere.", "file": "data.csv"}}]}
 
+ADVICE = {
+    "materials": [{"material": {"name": "metal", "distribution": {"type": "ggx", "alpha": 0.5},
+                                "fresnel": {"type": "schlick", "f0": 0.9}}}],
+    "lights": [{"theta": "50deg", "irradiance": 1}], "view": {"theta_o": ["20deg", "40deg"]},
+    "tolerance": {"delta_e": 20}}
+
 # Each writes into `out`; the outcome is that of the whole folder.
 COMMANDS = {
     "report": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "1"],
@@ -62,6 +68,7 @@ COMMANDS = {
     "threads": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "2"],
     "measured": ["eval", "measured.json", "-q", "brdf", "-i", "points.csv", "-o", "out/values.csv", "--threads", "1"],
     "convert": ["convert", "material.json", "-o", "out/table.binary", "--threads", "1"],
+    "advise": ["advise", "advice.json", "-o", "out", "--threads", "1"],
     "stream": ["eval", "material.json", "-q", "g1,albedo", "-i", "points.csv", "-o", "out/values.csv", "--threads", "2"],
 }
 
@@ -74,7 +81,7 @@ ERROR = re.compile(rb"brdfplot: error: [^\n]+\n")
 
 
 def write_inputs(folder, configs):
-    for name, value in (("curve", CURVE), ("map", HEATMAP), ("spheres", SPHERES), ("report", REPORT)):
+    for name, value in (("curve", CURVE), ("map", HEATMAP), ("spheres", SPHERES), ("report", REPORT), ("advice", ADVICE)):
         (folder / f"{name}.json").write_text(json.dumps(value))
     shutil.copy(Path(configs) / "materials/ggx.json", folder / "material.json")
     (folder / "measured.json").write_text(json.dumps({"terms": [{"type": "merl", "file": "table.binary"}]}))

@@ -17,7 +17,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
-CONFIGS = {"material": ["materials"], "figure": ["figures"], "report": ["reports"], "scene": ["scenes"],
+CONFIGS = {"material": ["materials"], "figure": ["figures"], "report": ["reports"], "scene": ["scenes"], "advice": ["scenes"],
            "csv": ["points"], "image": ["scenes"]}
 LIMITS = ["-rss_limit_mb=2048", "-timeout=10", "-max_len=4096", "-print_final_stats=1", "-verbosity=1"]
 

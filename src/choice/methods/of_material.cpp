@@ -3,6 +3,7 @@
 #include "analysis/fit/fit.hpp"
 #include "analysis/integrals.hpp"
 #include "base/errors.hpp"
+#include "base/interrupt.hpp"
 #include "brdf/evaluate.hpp"
 #include "choice/methods/add.hpp"
 #include "math/quadrature.hpp"
@@ -105,27 +106,40 @@ Estimate lambda_by_quadrature(const Material& material, double theta, double tol
   return integrate(integrand, ends, {.absolute = 0, .relative = tolerance}, 20000);
 }
 
-/// A quadrature at a tolerance, which is told of by `estimate` at a polar angle.
-void add_quadrature(Problem& p, double tolerance, const std::function<Estimate(double theta)>& estimate) {
+/// Polar angles at which the estimates of quadratures are looked at, with the exact values.
+struct Probes {
+  std::vector<double> theta, exact;
+};
+
+Probes probes_of(const Problem& p) {
   constexpr int directions = 12;
+  Probes probes;
+  for (int k = 0; k < directions; ++k) {
+    probes.theta.push_back(p.inputs[0].low + (p.inputs[0].high - p.inputs[0].low) * (k + 0.5) / directions);
+    probes.exact.push_back(p.exact(std::array{probes.theta.back()}).high);
+  }
+  return probes;
+}
+
+/// A quadrature at a tolerance, which is told of by `estimate` at a polar angle.
+void add_quadrature(Problem& p, double tolerance, const Probes& probes,
+                    const std::function<Estimate(double theta)>& estimate) {
   Method method{.name = "quadrature_" + power_text(tolerance),
                 .doc = "the quadrature of this program at a tolerance of " + power_text(tolerance),
                 .source = "adaptive, Gauss-Kronrod",
                 .kind = Kind::quadrature,
                 .run = Run<double>([estimate](std::size_t n, const double* const* in, double* out) {
                   for (std::size_t i = 0; i < n; ++i) out[i] = estimate(in[0][i]).value;
-                }),
-                .operations = {}};
-  int honest = 0;
-  for (int k = 0; k < directions; ++k) {
-    const double theta = p.inputs[0].low + (p.inputs[0].high - p.inputs[0].low) * (k + 0.5) / directions;
-    const Estimate found = estimate(theta);
+                })};
+  std::size_t honest = 0;
+  for (std::size_t k = 0; k < probes.theta.size(); ++k) {
+    throw_if_interrupted();
+    const Estimate found = estimate(probes.theta[k]);
     method.evaluations = std::max(method.evaluations, static_cast<double>(found.evaluations));
-    const double exact = p.exact(std::array{theta}).high;
-    if (std::fabs(found.value - exact) <= found.error + p.exact_error * std::fabs(exact)) ++honest;
+    if (std::fabs(found.value - probes.exact[k]) <= found.error + p.exact_error * std::fabs(probes.exact[k])) ++honest;
   }
-  method.note = "the estimate bounds the error in " + std::to_string(honest) + " of " + std::to_string(directions) +
-                " directions";
+  method.note = "the estimate bounds the error in " + std::to_string(honest) + " of " +
+                std::to_string(probes.theta.size()) + " directions";
   p.methods.push_back(std::move(method));
 }
 
@@ -159,10 +173,11 @@ Problem lambda_problem(const MaterialDescription& description, const SharedMater
     add_material_fits(p, description, material->surface().slopes().alpha_x);
   } catch (const MaterialError&) { // what cannot be fitted has no fits
   }
-  if (material->terms.at(0).is_isotropic())
-    for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})
-      add_quadrature(p, tolerance,
-                     [material, tolerance](double theta) { return lambda_by_quadrature(*material, theta, tolerance); });
+  if (!material->terms.at(0).is_isotropic()) return p;
+  const Probes probes = probes_of(p);
+  for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})
+    add_quadrature(p, tolerance, probes,
+                   [material, tolerance](double theta) { return lambda_by_quadrature(*material, theta, tolerance); });
   return p;
 }
 
@@ -222,9 +237,10 @@ Problem integral_problem(const MaterialDescription& description, const SharedMat
             .seen = {},
             .cost_unit = "evaluations of the integrand",
             .exact_error = finest,
-            .samples = 64};
-  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
-    add_quadrature(p, tolerance, [estimate, tolerance](double theta) { return estimate(theta, tolerance); });
+            .samples = 32};
+  const Probes probes = probes_of(p);
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-7, 1e-9})
+    add_quadrature(p, tolerance, probes, [estimate, tolerance](double theta) { return estimate(theta, tolerance); });
   return p;
 }
 

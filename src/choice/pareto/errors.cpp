@@ -79,6 +79,7 @@ public:
 
   void from(Largest& largest, const Measure& measure) const {
     constexpr int halvings = 22;
+    if (problem_.samples / 4 < 2 * problem_.inputs.size() * halvings) return; // it would not arrive
     double step = first_step_;
     std::size_t asked = 0;
     for (int k = 0; k < halvings && asked < problem_.samples / 4;) {

@@ -17,8 +17,9 @@ namespace brdfplot::choice {
 namespace {
 
 constexpr std::size_t block = 4096;
-constexpr int rounds = 25;
-constexpr double least_seconds = 60e-6; ///< of a measurement, far above what the clock resolves
+constexpr int rounds = 25, least_rounds = 5;
+constexpr double most_seconds_of_all = 3; ///< of a problem, once there are enough rounds
+constexpr double least_seconds = 60e-6;   ///< of a measurement, far above what the clock resolves
 constexpr double most_seconds = 1e-3;
 
 double processor_seconds() {
@@ -85,12 +86,12 @@ class Stopwatch {
 public:
   Stopwatch(std::function<void(std::size_t)> run) : run_(std::move(run)) {
     run_(1); // tables that are made at the first use
-    double seconds = 0;
-    for (values_ = 16; values_ < block; values_ *= 2) {
+    double seconds = once();
+    while (values_ < block && seconds < most_seconds / 2) {
+      values_ *= 2;
       seconds = once();
-      if (seconds > most_seconds) break;
     }
-    seconds = std::max(once(), 1e-9);
+    seconds = std::max(seconds, 1e-9);
     times_ = static_cast<std::size_t>(std::ceil(std::max(1.0, least_seconds / seconds)));
   }
   /// Nanoseconds a value.
@@ -108,7 +109,7 @@ private:
   }
 
   std::function<void(std::size_t)> run_;
-  std::size_t values_ = block;
+  std::size_t values_ = 1;
   std::size_t times_ = 1;
 };
 
@@ -161,7 +162,9 @@ std::vector<Time> times_of(const Problem& problem, const std::function<void(doub
   std::vector<std::size_t> order(watches.size());
   std::iota(order.begin(), order.end(), 0);
   Random random(7, 0);
+  const double began = processor_seconds();
   for (int round = 0; round < rounds; ++round) {
+    if (round >= least_rounds && processor_seconds() - began > most_seconds_of_all) break;
     rest(round / static_cast<double>(rounds));
     for (std::size_t k = order.size(); k > 1; --k)
       std::swap(order[k - 1], order[static_cast<std::size_t>(random.uniform() * static_cast<double>(k))]);

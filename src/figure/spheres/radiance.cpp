@@ -9,18 +9,13 @@
 #include "draw/number_text.hpp"
 #include "figure/spheres/srgb.hpp"
 
-#include <boost/math/special_functions/legendre.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace brdfplot::plot {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// In steps of sRGB: what doubling the points of a light may change, and the error of an albedo.
 constexpr double accepted_change = 0.25;
@@ -28,24 +23,6 @@ constexpr double accepted_albedo = 0.05;
 /// While any place changes by more, a highlight may lie between the points, and all places are computed again.
 constexpr double coarse_change = 8;
 constexpr std::size_t first_rings = 4, most_coarse_rings = 64, most_rings = 256;
-
-/// Nodes and weights of Gauss and Legendre on [0, 1].
-struct UnitRule {
-  std::vector<double> x, weight;
-};
-
-UnitRule gauss_legendre(std::size_t n) {
-  UnitRule rule;
-  const auto degree = static_cast<int>(n);
-  for (const double zero : boost::math::legendre_p_zeros<double>(degree)) {
-    const double slope = boost::math::legendre_p_prime(degree, zero);
-    for (const double x : {-zero, zero}) {
-      rule.x.push_back(0.5 * (1 + x));
-      rule.weight.push_back(1 / ((1 - x) * (1 + x) * slope * slope)); // n is even: no node is 0
-    }
-  }
-  return rule;
-}
 
 /// What reflects light, and on how many threads that is computed.
 struct Renderer {
@@ -191,23 +168,7 @@ Rgb ground_of(const std::vector<Light>& lights) {
 }
 
 std::vector<LightPoint> points_of(const Light& light, std::size_t rings) {
-  const Direction middle = from_angles(light.theta, light.phi);
-  const Direction down = from_angles(light.theta + pi / 2, light.phi),
-                  side{-std::sin(light.phi), std::cos(light.phi), 0};
-  const double height = 2 * std::pow(std::sin(light.radius / 2), 2); // 1 - cos(radius)
-  const UnitRule rule = gauss_legendre(rings);
-  const std::size_t around = 4 * rings;
-  std::vector<LightPoint> out;
-  for (std::size_t j = 0; j < rings; ++j) {
-    const double drop = rule.x[j] * height; // 1 - cos(angle from the middle)
-    const double sine = std::sqrt(drop * (2 - drop));
-    for (std::size_t k = 0; k < around; ++k) {
-      const double azimuth = 2 * pi * (static_cast<double>(k) + 0.5) / static_cast<double>(around);
-      out.push_back({(1 - drop) * middle + (sine * std::cos(azimuth)) * down + (sine * std::sin(azimuth)) * side,
-                     2 * pi * height * rule.weight[j] / static_cast<double>(around)});
-    }
-  }
-  return out;
+  return sphere::cap_points(light.theta, light.phi, light.radius, rings);
 }
 
 std::vector<double> radiance(const Material& material, const std::vector<Light>& lights,

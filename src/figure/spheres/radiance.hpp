@@ -3,7 +3,8 @@
 #pragma once
 
 #include "figure/description.hpp"
-#include "figure/spheres/frames.hpp"
+#include "sampling/sphere/cap_points.hpp"
+#include "sampling/sphere/frames.hpp"
 
 #include <vector>
 
@@ -15,14 +16,13 @@ std::size_t channels_of(const Material& material, const std::vector<Light>& ligh
 /// The radiance of everything that surrounds the sphere, for each channel.
 Rgb ground_of(const std::vector<Light>& lights);
 
-/// A direction of a sphere light, in the frame of the picture, and the solid angle that it stands for.
-struct LightPoint {
-  Direction direction;
-  double weight;
-};
+using sphere::Frame;
+using sphere::frame_at;
+using sphere::Frames;
+using sphere::LightPoint;
+using sphere::Place;
 
-/// rings x 4 rings directions within the radius of a sphere light: Gauss-Legendre nodes in the cosine of the angle from
-/// its middle, evenly spaced azimuths. The weights sum up to 4 pi sin^2(radius / 2).
+/// Those of a sphere light (cap_points.hpp).
 std::vector<LightPoint> points_of(const Light& light, std::size_t rings);
 
 /// Linear radiance towards the viewer, channel c of place k at [c * n + k]: the sum over lights of

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace brdfplot::plot {
+namespace brdfplot::sphere {
 
 /// A point of the unit sphere as a parallel projection shows it: x to the right, y up, x^2 + y^2 < 1.
 struct Place {
@@ -34,6 +34,8 @@ public:
   Direction omega_o(std::size_t k) const { return {viewer_[0][k], viewer_[1][k], viewer_[2][k]}; }
   /// Sets omega_i of each frame, below its horizon too, for a direction in that of the picture (z to the viewer).
   void set_light(const Direction& light);
+  /// The same with a direction of its own for each frame.
+  void set_lights(std::span<const Direction> lights);
   Columns omega_i() const { return columns(light_); }
 
 private:
@@ -43,4 +45,4 @@ private:
   Vectors tangent_, bitangent_, normal_, viewer_, light_;
 };
 
-} // namespace brdfplot::plot
+} // namespace brdfplot::sphere

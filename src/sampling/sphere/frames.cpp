@@ -1,8 +1,8 @@
-#include "figure/spheres/frames.hpp"
+#include "sampling/sphere/frames.hpp"
 
 #include <cmath>
 
-namespace brdfplot::plot {
+namespace brdfplot::sphere {
 
 Frame frame_at(const Place& place) {
   const double x = place.x, y = place.y;
@@ -38,4 +38,14 @@ void Frames::set_light(const Direction& light) {
   project(normal_, light_[2]);
 }
 
-} // namespace brdfplot::plot
+void Frames::set_lights(std::span<const Direction> lights) {
+  const auto project = [&](const Vectors& axis, std::vector<double>& out) {
+    for (std::size_t k = 0; k < out.size(); ++k)
+      out[k] = axis[0][k] * lights[k].x + axis[1][k] * lights[k].y + axis[2][k] * lights[k].z;
+  };
+  project(tangent_, light_[0]);
+  project(bitangent_, light_[1]);
+  project(normal_, light_[2]);
+}
+
+} // namespace brdfplot::sphere

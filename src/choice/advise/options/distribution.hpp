@@ -1,0 +1,14 @@
+/// \file
+/// One GGX lobe in the place of a distribution that is dearer.
+#pragma once
+
+#include "choice/advise/draft.hpp"
+
+namespace brdfplot::choice {
+
+/// mixture, student_t, gtr, exponential_power, custom -> GGX with the (geometric mean) alpha, then fitted anew.
+struct SingleLobe {
+  static std::vector<Option> of(const MaterialDescription& material);
+};
+
+} // namespace brdfplot::choice

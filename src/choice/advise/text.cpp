@@ -1,0 +1,174 @@
+#include "choice/advise/text.hpp"
+
+#include "base/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace brdfplot::choice {
+
+std::string metric_name(Metric metric) { return metric == Metric::delta_e ? "ΔE_ITP" : "relative radiance"; }
+
+namespace {
+
+std::string formatted(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string short_number(double value) { return formatted("%.3g", value); }
+std::string whole(double value) { return formatted("%.0f", value); }
+std::string degrees(double radians) { return formatted("%.3g°", radians * 180 / std::numbers::pi); }
+std::string percent(double share) { return formatted("%+.1f %%", 100 * share); }
+
+/// Where on the sphere: the angle from the viewer and the azimuth in the picture.
+std::string where(const sphere::Place& place) {
+  return "θ_o " + degrees(std::asin(std::min(std::hypot(place.x, place.y), 1.0))) + ", at " +
+         degrees(std::atan2(place.y, place.x)) + " in the picture";
+}
+
+std::string errors_text(const PictureErrors& e) {
+  return "p95 " + short_number(e.p95) + ", worst 1 % " + short_number(e.worst) + " (" + where(e.where) + "), light " +
+         percent(e.energy);
+}
+
+std::string joined_labels(const std::vector<std::string>& labels) {
+  std::string out;
+  for (const std::string& label : labels) out += (out.empty() ? "" : " · ") + label;
+  return out.empty() ? "nothing is simpler" : out;
+}
+
+class Writer {
+public:
+  Writer(const AdviceScene& scene, const MaterialAdvice& advice) : scene_(scene), advice_(advice) {}
+
+  std::string text() {
+    out_ = advice_.name + "   (" + scene_.name + ")\n";
+    reached();
+    answer();
+    further();
+    untold();
+    proof();
+    return out_;
+  }
+
+private:
+  void line(const std::string& head, const std::string& body) {
+    const std::size_t width = std::max<std::size_t>(10, head.size() + 1);
+    out_ += "  " + head + std::string(width - head.size(), ' ') + body + "\n";
+  }
+  const Model& model(std::size_t k) const { return advice_.models[k]; }
+  const PictureErrors& best_known(const Model& m) const { return m.dense ? *m.dense : m.errors; }
+
+  void reached() {
+    const ReachedAngles& r = advice_.reached;
+    std::string differences;
+    for (const auto& [least, most] : r.difference)
+      differences +=
+          (differences.empty() ? "" : ", ") + (least < most ? degrees(least) + " to " + degrees(most) : degrees(most));
+    line("reaches", "θ_o " + degrees(r.least_view) + " to " + degrees(r.largest_view) + ", θ_i " +
+                        degrees(r.least_light) + " to " + degrees(r.largest_light) + "; θ_d (the angle of F) only " +
+                        differences + ": nothing is said of others");
+  }
+
+  void answer() {
+    const Model& full = model(advice_.full);
+    line("in full", "cost " + whole(full.cost) + ", " + short_number(full.errors.decisive()) + " off by its " +
+                        (advice_.ladder.lights.size() > 1 ? "directions of discs" : "rounding"));
+    if (!advice_.answer) {
+      line("answer", "none within the tolerance");
+      return;
+    }
+    const Model& best = model(*advice_.answer);
+    line("answer", "cost " + whole(best.cost) + " of " + whole(full.cost) + " (" + percent(best.cost / full.cost - 1) +
+                       ", estimated operations for each point)   " + metric_name(scene_.tolerance.metric) + " " +
+                       errors_text(best_known(best)) + "   [tolerance " + short_number(scene_.tolerance.value) +
+                       ", worst 1 % " + short_number(2 * scene_.tolerance.value) + "]");
+    line("", joined_labels(simplifications(advice_, best)));
+    if (scene_.budget)
+      line("budget", short_number(*scene_.budget) + (advice_.within_budget(scene_) ? ": met" : ": not met"));
+  }
+
+  /// What one more step would do.
+  void further() {
+    if (!advice_.answer) return;
+    const std::vector<FurtherStep> steps = further_steps(advice_, *advice_.answer);
+    if (steps.empty()) return;
+    line("why not less", "");
+    for (const FurtherStep& step : steps) {
+      const Model& m = model(step.model);
+      out_ += "    " + step.label + ": saves " + whole(model(*advice_.answer).cost - m.cost) + ", " +
+              errors_text(best_known(m)) + "\n";
+    }
+  }
+
+  /// Single simplifications of the model in full that the scene hardly tells.
+  void untold() {
+    std::string out;
+    for (const FurtherStep& step : further_steps(advice_, advice_.full))
+      if (model(step.model).errors.decisive() < 0.1 * scene_.tolerance.value)
+        out += (out.empty() ? "" : " · ") + step.label;
+    if (!out.empty()) line("not told", "(alone, below a tenth of the tolerance) " + out);
+  }
+
+  void proof() {
+    const std::size_t below = advice_.answer ? cheaper() : advice_.models.size();
+    std::string text = std::to_string(advice_.ladder_size) + " models; " +
+                       (advice_.answer ? "the " + std::to_string(below) + " cheaper ones" : "they are") +
+                       " all evaluated at " + std::to_string(advice_.places) + " places";
+    if (advice_.best_cheaper) {
+      const Model& m = model(*advice_.best_cheaper);
+      text += ", the nearest of which is off by " + short_number(decisive(m)) + " (cost " + whole(m.cost) + ")";
+    }
+    line("proved", text);
+    if (!advice_.next_cheaper) return;
+    const Model& next = model(*advice_.next_cheaper);
+    if (advice_.answer) {
+      line("next", "cost " + whole(next.cost) + ": " + joined_labels(simplifications(advice_, next)));
+      line("verified", "at " + std::to_string(advice_.dense_places) +
+                           " places: " + short_number(decisive(model(*advice_.answer))) + " and (the next cheaper) " +
+                           short_number(decisive(next)) + " of " + short_number(scene_.tolerance.value));
+    } else if (advice_.best_cheaper) {
+      line("nearest", "cost " + whole(model(*advice_.best_cheaper).cost) + ", off by " +
+                          short_number(decisive(model(*advice_.best_cheaper))) + ": " +
+                          joined_labels(simplifications(advice_, model(*advice_.best_cheaper))));
+    }
+  }
+
+  std::size_t cheaper() const {
+    const double cost = model(*advice_.answer).cost;
+    return static_cast<std::size_t>(
+        std::ranges::count_if(advice_.models, [&](const Model& m) { return m.cost < cost; }));
+  }
+
+  const AdviceScene& scene_;
+  const MaterialAdvice& advice_;
+  std::string out_;
+};
+
+} // namespace
+
+std::string advice_text(const AdviceScene& scene, const MaterialAdvice& advice) { return Writer(scene, advice).text(); }
+
+std::string models_csv(const AdviceScene& scene, const MaterialAdvice& advice) {
+  std::string out = "cost,error,p95,worst,light,verified,within,answer,model\n";
+  for (std::size_t k = 0; k < advice.models.size(); ++k) {
+    const Model& m = advice.models[k];
+    const PictureErrors& e = m.dense ? *m.dense : m.errors;
+    for (const double value : {m.cost, e.decisive(), e.p95, e.worst, e.energy}) {
+      append_number(out, value);
+      out += ',';
+    }
+    const bool within = e.decisive() <= scene.tolerance.value;
+    out += std::string(m.dense ? "1" : "0") + "," + (within ? "1" : "0") + "," + (advice.answer == k ? "1" : "0") + ",";
+    std::string labels;
+    for (const std::string& label : simplifications(advice, m)) labels += (labels.empty() ? "" : "; ") + label;
+    out += '"' + labels + "\"\n";
+  }
+  return out;
+}
+
+} // namespace brdfplot::choice
