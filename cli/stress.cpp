@@ -72,12 +72,15 @@ void add_material(const std::string& file, std::vector<Asked>& asked) {
 }
 
 std::vector<Asked> what_is_asked(const std::vector<std::string>& names) {
-  const auto all = choice::problems();
+  const auto is_file = [](const std::string& name) { return name.ends_with(".json"); };
+  // Problems have tables and fits, which take a while to make.
+  const bool needs_problems = names.empty() || !std::ranges::all_of(names, is_file);
+  const auto all = needs_problems ? choice::problems() : std::vector<choice::Problem>{};
   std::vector<Asked> asked;
   if (names.empty())
     for (const auto& problem : all) asked.push_back({.problem = problem, .method = ""});
   for (const auto& name : names) {
-    if (name.ends_with(".json"))
+    if (is_file(name))
       add_material(name, asked);
     else
       asked.push_back(asked_by(name, all));

@@ -63,7 +63,7 @@ COMMANDS = {
     "sample": ["sample", "material.json", "-n", "9", "-i", "viewers.csv", "-o", "out/samples.csv", "--threads", "2"],
     "plot": ["plot", "map.json", "spheres.json", "-o", "out", "--cache", "cache", "--threads", "1"],
     "check": ["check", "material.json", "--csv", "-o", "out/check.csv", "--threads", "1"],
-    "stress": ["stress", "lambda_ggx", "-o", "out", "--threads", "1"],
+    "stress": ["stress", "wall.json", "-o", "out", "--threads", "1"],
     "validate": ["validate", "report.json", "material.json"],
     "threads": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "2"],
     "measured": ["eval", "measured.json", "-q", "brdf", "-i", "points.csv", "-o", "out/values.csv", "--threads", "1"],
@@ -86,6 +86,7 @@ def write_inputs(folder, configs):
     shutil.copy(Path(configs) / "materials/ggx.json", folder / "material.json")
     (folder / "measured.json").write_text(json.dumps({"terms": [{"type": "merl", "file": "table.binary"}]}))
     (folder / "table.binary").write_bytes(struct.pack("<3i", 4, 3, 5) + struct.pack("<180d", *range(180)))
+    (folder / "wall.json").write_text(json.dumps({"terms": [{"type": "lambert", "albedo": 0.5}]}))
     (folder / "data.csv").write_text("function,error\nf,0.5\n")
     rows = [f"{0.05 + 0.0007 * k:.4f},{0.1 + 0.0005 * k:.4f},{0.003 * k:.3f}" for k in range(40)]
     (folder / "viewers.csv").write_text("theta_o\n" + "".join(f"{0.05 + 0.0007 * k:.4f}\n" for k in range(40)))
