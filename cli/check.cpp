@@ -241,8 +241,9 @@ int run(const CheckFlags& flags, const Settings& settings) {
   if (static_cast<int>(flags.json) + static_cast<int>(flags.csv) + static_cast<int>(flags.markdown) > 1)
     throw InputError("check", "accepted: one of --json, --csv, --markdown");
   if (flags.sampling.asked) return check_samplers_of(flags, settings);
-  if (!flags.sampling.strategy.empty() || !flags.sampling.samples.empty() || !flags.sampling.seed.empty())
-    throw InputError("check", "found --strategy, -n or --seed without --sampling; accepted: with it");
+  if (!flags.sampling.strategy.empty() || !flags.sampling.samples.empty() || !flags.sampling.seed.empty() ||
+      !flags.sampling.density.empty())
+    throw InputError("check", "found --strategy, -n, --seed or --pdf without --sampling; accepted: with it");
   std::vector<Checked> all = flags.materials.empty() ? built_in() : materials_of(flags);
   for (auto& one : all) one.search.tolerance = read_tolerance(flags.tolerance, one.search.tolerance);
   measure_all(all, settings);
@@ -274,6 +275,11 @@ Command add_check(CLI::App& app, const Settings& settings) {
   command->add_option("-n,--samples", flags->sampling.samples, "Of --sampling, from each viewer; default: 20000")
       ->type_name("N");
   command->add_option("--seed", flags->sampling.seed, "Of --sampling; default: 1")->type_name("S");
+  command
+      ->add_option("--pdf", flags->sampling.density,
+                   "Of --sampling: a density to test instead of the strategy's own, a formula of that, pdf, of the "
+                   "directions x_o ... z_i and x_h y_h z_h, of theta_o phi_o theta_i phi_i theta_h phi_h, and of o_h")
+      ->type_name("FORMULA");
   command->footer("Exit code 1 when a property that a material claims (\"claims\": [\"physically_based\"]) fails,\n"
                   "or a sampler does;\n"
                   "4 when it cannot be told.\n\n" +

@@ -1,6 +1,7 @@
 #include "check_sampling.hpp"
 
 #include "analysis/sampling_check.hpp"
+#include "analysis/written_density.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
@@ -45,14 +46,16 @@ std::vector<Row> viewers_of(const Material& material, const Sampler& sampler) {
 
 std::string as_csv(const std::vector<Row>& rows) {
   std::string out = "material,theta_o,phi_o,integral,integral_error,chi_squared,cells,p_value,mean_weight,"
-                    "standard_error,albedo,errors_apart,largest_weight,untold,uncovered\n";
+                    "standard_error,albedo,errors_apart,largest_weight,untold,uncovered,mean_square,expected_square,"
+                    "squares_apart\n";
   for (const Row& row : rows) {
     const SamplingFindings& f = row.found;
     out += row.material->name;
     for (const double value :
          {row.theta_o * degree, row.phi_o * degree, f.integral.value, f.integral.error, f.chi_squared,
           static_cast<double>(f.cells), f.p_value, f.mean_weight, f.standard_error, f.albedo, f.errors_apart,
-          f.largest_weight, static_cast<double>(f.untold), static_cast<double>(f.uncovered)})
+          f.largest_weight, static_cast<double>(f.untold), static_cast<double>(f.uncovered), f.mean_square,
+          f.expected_square.value, f.squares_apart})
       out += "," + format_number(value);
     out += "\n";
   }
@@ -71,7 +74,8 @@ std::string as_table(const std::vector<Row>& rows, const SamplingTest& test) {
   for (const Row& row : rows) {
     if (row.material != last) {
       out += (last == nullptr ? "" : "\n") + row.material->name + "\n    ";
-      for (const char* head : {"theta_o", "phi_o", "integral-1", "p_value", "weight", "albedo", "errors", "largest"})
+      for (const char* head :
+           {"theta_o", "phi_o", "integral-1", "p_value", "weight", "albedo", "errors", "squares", "largest"})
         out += cell(head);
       out.erase(out.find_last_not_of(' ') + 1);
       out += "\n";
@@ -82,7 +86,7 @@ std::string as_table(const std::vector<Row>& rows, const SamplingTest& test) {
     for (const std::string& text :
          {format_number(row.theta_o) + "deg", format_number(row.phi_o) + "deg", short_number(f.integral.value - 1),
           short_number(f.p_value), short_number(f.mean_weight), short_number(f.albedo), short_number(f.errors_apart),
-          short_number(f.largest_weight)})
+          short_number(f.squares_apart), short_number(f.largest_weight)})
       out += cell(text);
     out.erase(out.find_last_not_of(' ') + 1);
     out += "\n";
@@ -90,7 +94,9 @@ std::string as_table(const std::vector<Row>& rows, const SamplingTest& test) {
   return out + "\nintegral: of the density over the sphere; p_value: of a chi-square test of " +
          std::to_string(test.samples) + " samples, at least " + short_number(test.significance) +
          " where it holds;\nweight: mean of brdf_cos / pdf, of the channel furthest from its albedo, in standard "
-         "errors.\n";
+         "errors;\nsquares: the same of the mean square of the first channel against its quadrature; largest: weight "
+         "of "
+         "samples, and of\ndirections where the BRDF is large.\n";
 }
 
 /// Says what does not hold.
@@ -123,11 +129,15 @@ int check_samplers(const std::vector<std::string>& files, const SamplingCheckFla
     for (const Row& row : viewers_of(materials.back(), samplers.back())) rows.push_back(row);
   }
   test.significance = sidak(test.significance, rows.size());
+  if (!flags.density.empty()) WrittenDensity(samplers.front(), flags.density, "--pdf"); // a formula that is wrong
   parallel_for(rows.size(), settings.threads, [&](std::size_t k) {
     Row& row = rows[k];
     SamplingTest own = test; // with samples of its own
     own.seed += k;
-    row.found = check_sampling(*row.material, *row.sampler, from_angles(row.theta_o * degree, row.phi_o * degree), own);
+    const PairDensity density =
+        flags.density.empty() ? density_of(*row.sampler) : WrittenDensity(*row.sampler, flags.density, "--pdf");
+    row.found = check_sampling(*row.material, *row.sampler, from_angles(row.theta_o * degree, row.phi_o * degree), own,
+                               density);
   });
   write_text_file(output, csv ? as_csv(rows) : as_table(rows, test));
   return judge(rows, test, settings);

@@ -12,6 +12,7 @@ namespace brdfplot::cli {
 struct SamplingCheckFlags {
   bool asked = false; ///< --sampling
   std::string strategy, samples, seed;
+  std::string density; ///< a formula to test instead of the strategy's own; empty: that
 };
 
 /// Tests every material from several viewers and writes a row for each, as a table or as CSV. Returns the exit code: 1

@@ -2,6 +2,7 @@
 /// brdfplot list: what there is, from the models' own declarations.
 
 #include "analysis/integrals.hpp"
+#include "analysis/weight_moments.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "command.hpp"
@@ -174,6 +175,8 @@ std::vector<Item> quantity_items() {
   for (const auto& info : integrals()) add(info.name, info.doc, "omega_o", info.coloured);
   const DensityInfo density;
   add(density.name, density.doc, needs_of(info_of(Quantity::brdf)), false);
+  for (const auto& info : sampled_quantities())
+    if (info.name != density.name) add(info.name, info.doc + "; in figures, at a \"strategy\"", "omega_o", true);
   return items;
 }
 

@@ -56,7 +56,8 @@ Command add_sample(CLI::App& app, const Settings& settings) {
   command
       ->add_option(
           "--strategy", flags->strategy,
-          "cosine; half_vector: normals by D cos theta; visible_normals: by <o,m> D / sigma; default: "
+          "cosine; half_vector: normals by D cos theta; visible_normals: by <o,m> D / sigma; heitz_2018: the same of "
+          "GGX by another map; kelemen: half_vector, and complement by what it takes; eon: of the term eon; default: "
           "visible_normals for mirrors with a Lambda, half_vector for others, cosine for what is diffuse, and of "
           "several terms one by chance")
       ->type_name("NAME");

@@ -154,6 +154,47 @@ private:
       found.albedo = albedo.value[c];
       found.errors_apart = apart;
     }
+    if (found.uncovered == 0) test_squares(pdf, brdf_cos, found);
+  }
+
+  /// The second moment, of the first channel.
+  void test_squares(const std::vector<double>& pdf, const std::vector<double>& brdf_cos,
+                    SamplingFindings& found) const {
+    const auto count = static_cast<double>(lights_.size());
+    double squares = 0, fourths = 0, largest = 0;
+    for (std::size_t k = 0; k < lights_.size(); ++k) {
+      const double weight = brdf_cos[k] > 0 && pdf[k] > 0 ? brdf_cos[k] / pdf[k] : 0;
+      squares += weight * weight;
+      fourths += weight * weight * weight * weight;
+      largest = std::fmax(largest, weight);
+    }
+    found.mean_square = squares / count;
+    constexpr double accuracy = 1e-4;
+    found.expected_square = mean_squared_weight(material_, density_, omega_o_, accuracy * (1 + found.mean_square));
+    // Where few samples weigh most, all of them may be missing.
+    largest = std::fmax(largest, largest_where_bright());
+    found.largest_weight = std::fmax(found.largest_weight, largest);
+    found.square_error =
+        std::hypot(std::sqrt(std::fmax(fourths / count - found.mean_square * found.mean_square, 0.0) / (count - 1)),
+                   largest * largest / count);
+    found.squares_apart = std::fabs(found.mean_square - found.expected_square.value) /
+                          std::hypot(found.square_error, found.expected_square.error, 1e-300);
+  }
+
+  /// The largest weight of the first channel that the density gives to directions that the default strategy draws.
+  double largest_where_bright() const {
+    DirectionArrays bright;
+    Sampler(material_, "default").sample(omega_o_, points(PointKind::sobol, test_.seed, 3, 0, 4096), bright);
+    std::vector<double> pdf, brdf_cos(static_cast<std::size_t>(material_.channels()) * bright.x.size());
+    const std::vector<Direction> lights = listed(bright);
+    densities(lights, pdf);
+    ViewerRows rows(omega_o_);
+    evaluate(material_, Quantity::brdf_cos, rows.with_lights(lights.size(), [&](std::size_t k) { return lights[k]; }),
+             brdf_cos.data());
+    double largest = 0;
+    for (std::size_t k = 0; k < lights.size(); ++k)
+      if (brdf_cos[k] > 0 && pdf[k] > 0) largest = std::fmax(largest, brdf_cos[k] / pdf[k]);
+    return largest;
   }
 
   /// Directions all over the sphere that the sampler may not have drawn.
@@ -173,10 +214,9 @@ private:
 
   static void count_faults(const std::vector<double>& pdf, const std::vector<double>& brdf_cos,
                            SamplingFindings& found) {
-    constexpr double underflow = 1e-280; // of the density, whose factors are others
     for (std::size_t k = 0; k < pdf.size(); ++k) {
       if (!(pdf[k] >= 0 && pdf[k] < infinity)) ++found.untold;
-      if (brdf_cos[k] > underflow && pdf[k] == 0) ++found.uncovered;
+      if (brdf_cos[k] > underflow_of_densities && pdf[k] == 0) ++found.uncovered;
     }
   }
 
@@ -201,6 +241,10 @@ std::vector<std::string> SamplingFindings::faults(const SamplingTest& test) cons
   if (!(errors_apart <= test.most_errors))
     all.push_back("the mean weight is " + format_number(mean_weight) + ", " + format_number(errors_apart) +
                   " standard errors from the albedo " + format_number(albedo));
+  if (!(squares_apart <= test.most_errors))
+    all.push_back("the mean square of the weights is " + format_number(mean_square) + ", " +
+                  format_number(squares_apart) + " standard errors from " + format_number(expected_square.value) +
+                  " by quadrature");
   if (untold > 0) all.push_back(std::to_string(untold) + " densities are negative or no number");
   if (uncovered > 0) all.push_back(std::to_string(uncovered) + " directions have a density of 0 and a BRDF above 0");
   return all;
@@ -215,9 +259,7 @@ SamplingFindings check_sampling(const Material& material, const Sampler& sampler
 
 SamplingFindings check_sampling(const Material& material, const Sampler& sampler, const Direction& omega_o,
                                 const SamplingTest& test) {
-  return check_sampling(
-      material, sampler, omega_o, test,
-      [&](std::size_t n, const Columns& o, const Columns& i, double* out) { sampler.densities(n, o, i, out); });
+  return check_sampling(material, sampler, omega_o, test, density_of(sampler));
 }
 
 double sidak(double significance, std::size_t n) {

@@ -2,17 +2,12 @@
 /// Whether a sampler draws what its density says, and what that is worth for a material.
 #pragma once
 
-#include "math/quadrature.hpp"
-#include "sampling/sampler.hpp"
+#include "analysis/weight_moments.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace brdfplot {
-
-/// The density of each pair (1/sr), as Sampler::densities() writes it.
-using PairDensity = std::function<void(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out)>;
 
 struct SamplingTest {
   std::size_t samples = 20000;
@@ -31,8 +26,12 @@ struct SamplingFindings {
   double mean_weight = 0;    ///< of the channel that is furthest from its albedo
   double standard_error = 0; ///< of it, from the samples; at least one sample of the mean weight
   double albedo = 0;
-  double errors_apart = 0; ///< |mean_weight - albedo| in standard errors
-  double largest_weight = 0;
+  double errors_apart = 0;   ///< |mean_weight - albedo| in standard errors
+  double mean_square = 0;    ///< of the weights of the first channel
+  double square_error = 0;   ///< of it, from the samples; at least one sample of the largest weight
+  Estimate expected_square;  ///< int f^2 cos^2 / pdf by quadrature
+  double squares_apart = 0;  ///< |mean_square - expected_square| in standard errors
+  double largest_weight = 0; ///< of samples, and of directions where the BRDF is large
   std::size_t untold = 0;    ///< densities that are negative or no number
   std::size_t uncovered = 0; ///< directions with a BRDF above 0 and a density of 0
 

@@ -73,24 +73,25 @@ void SamplingPart::densities(const std::vector<Direction>& omega_i, std::vector<
   }
 }
 
-Estimate SamplingPart::integral(const LightDensity& f, double tolerance) const {
-  std::vector<Direction> lights;
+Estimate SamplingPart::over_hemisphere(const LightDensity& f, double tolerance) const {
   std::vector<double> values;
-  if (lobe_.facets == nullptr) {
-    HemisphereIntegrand integrand{{}, 1, false};
-    integrand.rho = [&](const std::vector<Direction>& omega_i, const Tolerance&, std::vector<double>& value,
-                        std::vector<double>& error) {
-      f(omega_i, values);
-      for (std::size_t k = 0; k < omega_i.size(); ++k) {
-        value[k] = values[k] / sampler_.mesosurface().project(omega_i[k]).c;
-        error[k] = 1e-14 * (std::fabs(value[k]) + 1);
-      }
-    };
-    return integrate_hemisphere(sampler_.mesosurface(), integrand, omega_o_, tolerance,
-                                [](const Direction&) { return 1.0; })
-        .channel(0);
-  }
-  const NormalIntegrand over_normals = [&](const std::vector<Direction>& m, std::vector<double>& out) {
+  HemisphereIntegrand integrand{{}, 1, false};
+  integrand.rho = [&](const std::vector<Direction>& omega_i, const Tolerance&, std::vector<double>& value,
+                      std::vector<double>& error) {
+    f(omega_i, values);
+    for (std::size_t k = 0; k < omega_i.size(); ++k) {
+      value[k] = values[k] / sampler_.mesosurface().project(omega_i[k]).c;
+      error[k] = 1e-14 * (std::fabs(value[k]) + 1);
+    }
+  };
+  return integrate_hemisphere(sampler_.mesosurface(), integrand, omega_o_, tolerance,
+                              [](const Direction&) { return 1.0; })
+      .channel(0);
+}
+
+NormalIntegrand SamplingPart::over_normals(const LightDensity& f) const {
+  return [this, f, lights = std::vector<Direction>(),
+          values = std::vector<double>()](const std::vector<Direction>& m, std::vector<double>& out) mutable {
     lights.resize(m.size());
     for (std::size_t k = 0; k < m.size(); ++k) lights[k] = normalized(reflected(omega_o_, m[k]));
     f(lights, values);
@@ -99,10 +100,20 @@ Estimate SamplingPart::integral(const LightDensity& f, double tolerance) const {
     for (std::size_t k = 0; k < m.size(); ++k)
       out[k] = m[k].z > upright ? values[k] * 4 * std::fabs(dot(omega_o_, m[k])) : 0;
   };
+}
+
+Estimate SamplingPart::integral(const LightDensity& f, double tolerance) const {
+  if (lobe_.facets == nullptr) return over_hemisphere(f, tolerance);
   // All facets face the vertical; those that are drawn as they are seen face the viewer.
-  const bool seen = lobe_.strategy == Strategy::visible_normals;
+  const bool seen = draws_visible(lobe_.strategy);
   const SlopeFrame frame(component()->frame, seen ? omega_o_ : Direction{0, 0, 1});
-  return integrate_facing(frame, {over_normals, {}, false, false}, tolerance);
+  return integrate_facing(frame, {over_normals(f), {}, false, false}, tolerance);
+}
+
+Estimate SamplingPart::lit_integral(const LightDensity& f, double tolerance) const {
+  if (lobe_.facets == nullptr) return over_hemisphere(f, tolerance);
+  return integrate_lit(SlopeFrame(component()->frame, omega_o_), {over_normals(f), 1, {}, false, false}, tolerance)
+      .channel(0);
 }
 
 std::size_t SamplingPart::cell_count() const { return (edges_.size() - 1) * sectors; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "brdf/components.hpp"
+#include "integrate/slope_domain.hpp"
 #include "math/quadrature.hpp"
 #include "sampling/radial_slopes.hpp"
 #include "sampling/sampler.hpp"
@@ -26,6 +27,9 @@ public:
   /// The integral of f over the sphere, f about as wide as this part. `tolerance` is absolute.
   Estimate integral(const LightDensity& f, double tolerance) const;
 
+  /// The same where f is 0 below the horizon of the light, and may bend there.
+  Estimate lit_integral(const LightDensity& f, double tolerance) const;
+
   /// Cells of the unit square of the part, wherever omega_i is in it.
   std::size_t cell_count() const;
   std::size_t cell_of(const Direction& omega_i) const;
@@ -39,6 +43,9 @@ private:
   };
   /// Where the point of the unit square is; `norm` is that of slopes at u.
   Place place(double u, double norm, double azimuth) const;
+  Estimate over_hemisphere(const LightDensity& f, double tolerance) const;
+  /// f for each solid angle of the normal that mirrors.
+  NormalIntegrand over_normals(const LightDensity& f) const;
   std::vector<double> midpoint_sums(const LightDensity& f, std::size_t midpoints) const;
   const Component* component() const;
 

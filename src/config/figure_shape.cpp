@@ -16,7 +16,7 @@ ShapePtr settings() {
   return map(setting(), "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, half and "
                         "difference angles theta_h phi_h theta_d phi_d instead of those of o and i, a, slope, "
                         "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, the type of "
-                        "its distribution, masking, shadowing or fresnel, or the channel");
+                        "its distribution, masking, shadowing or fresnel, the channel, or the strategy of sampling");
 }
 
 ShapePtr axis() {

@@ -9,6 +9,7 @@
 #include "analysis/properties.hpp"
 #include "brdf/material.hpp"
 #include "choice/advise/advise.hpp"
+#include "choice/compare/compare.hpp"
 #include "figure/description.hpp"
 #include "simulation/scene.hpp"
 
@@ -64,6 +65,10 @@ choice::AdviceScene load_advice(const std::string& path);
 /// A material as a file that load_material() reads, indented, ending in a newline. Paths of files that it names become
 /// absolute.
 std::string material_text(const MaterialDescription& material);
+
+/// What `compare` found, as JSON; with the materials that were fitted, if they were.
+std::string comparison_record(const std::string& a, const std::vector<choice::MaterialDifference>& all,
+                              const std::vector<MaterialDescription>& refitted);
 
 /// What `advise --json` prints.
 std::string advice_record(const choice::AdviceScene& scene, const std::vector<choice::MaterialAdvice>& all);

@@ -59,7 +59,8 @@ std::vector<std::string> swept_columns(const Figure& figure) {
     add(column_of(panel.x, "x"));
     if (figure.kind == Kind::heatmap) add(column_of(panel.y, "y"));
   }
-  if (names.empty()) names.emplace_back("x");
+  if (names.empty())
+    names = figure.kind == Kind::heatmap ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x"};
   return names;
 }
 

@@ -27,7 +27,7 @@ namespace brdfplot::plot {
 /// - any number among the material's parameters (alpha, exponent, gamma, f0, ...);
 /// - with text: `distribution`, `masking`, `shadowing`, `fresnel`, the type of the model; `channel`, of what is
 /// coloured
-///   (see channel.hpp).
+///   (see channel.hpp); `strategy`, of what is said of samples.
 struct Setting {
   std::string variable;
   std::variant<double, std::string> value;

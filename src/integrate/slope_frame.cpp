@@ -28,6 +28,8 @@ SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o)
   Eigen::Matrix2d factor;
   factor << map.alpha_x, 0, map.correlation * map.alpha_y, map.decorrelation() * map.alpha_y;
   Eigen::Vector2d along = factor.transpose() * Eigen::Vector2d(omega_o.x, omega_o.y);
+  // Exactly larger where squares would lose their digits or underflow: a viewer all but at the normal.
+  if (along.cwiseAbs().maxCoeff() < 0x1p-400) along *= 0x1p600;
   if (along.norm() > 0)
     along.normalize();
   else

@@ -34,6 +34,10 @@ bool Facets::visible() const {
   return std::ranges::all_of(slopes_, [](const auto& s) { return s.visible(); });
 }
 
+bool Facets::ggx() const {
+  return std::ranges::all_of(slopes_, [](const auto& s) { return s.kernel() == kernels::Distribution::ggx; });
+}
+
 Direction Facets::normal(const SamplePoint& point) const {
   double rest = point[2];
   const std::size_t k = chosen(shares_, rest);
@@ -50,22 +54,50 @@ double Facets::visible_area(const Direction& v) const {
   return sum;
 }
 
-Facets::Viewer::Viewer(const Facets& facets, const Direction& v) : facets_(&facets), v_(v) {
+namespace {
+
+/// As visible_normal() sees v.
+kernels::SeenFrom seen_from(const Component& component, const Direction& v) {
+  const auto [x, y] = component.frame.on_unit_surface(v);
+  const Projection p = component.frame.project(v);
+  const double norm = std::hypot(p.c, p.s);
+  return {v.x,
+          v.y,
+          v.z,
+          brdfplot::visible_area(component, p),
+          p.c / norm,
+          p.s / norm,
+          p.s > 0 ? x / p.s : 1,
+          p.s > 0 ? y / p.s : 0};
+}
+
+} // namespace
+
+Facets::Viewer::Viewer(const Facets& facets, const Direction& v, bool on_disc) : facets_(&facets), v_(v) {
   const double whole = facets.visible_area(v);
   for (std::size_t k = 0; k < facets.components_.size(); ++k) {
     const Component& component = facets.components_[k];
-    shares_.push_back(component.weight * brdfplot::visible_area(component, component.frame.project(v)) / whole);
-    const Projection p = component.frame.project(v);
-    const double norm = std::hypot(p.c, p.s);
-    viewers_.emplace_back(facets.slopes_[k], p.c / norm, p.s / norm);
+    seen_.push_back(seen_from(component, v));
+    shares_.push_back(component.weight * seen_.back().visible_area / whole);
+    kernels_.push_back(on_disc ? std::nullopt : facets.slopes_[k].kernel());
+    viewers_.emplace_back(facets.slopes_[k], seen_.back().c, seen_.back().s, on_disc);
   }
 }
 
 Direction Facets::Viewer::normal(const SamplePoint& point) const {
   double rest = point[2];
-  const std::size_t k = chosen(shares_, rest);
-  return visible_normal(facets_->components_[k].frame, v_,
-                        [&](double, double) { return viewers_[k](point[0], point[1]); });
+  return normal(component(rest), point[0], point[1]);
+}
+
+Direction Facets::Viewer::normal(std::size_t component, double u1, double u2) const {
+  return visible_normal(facets_->components_[component].frame, v_,
+                        [&](double, double) { return viewers_[component](u1, u2); });
+}
+
+void Facets::Viewer::mirror(std::size_t component, const double* u1, const double* u2,
+                            const kernels::MirroredAtNormals& out, std::size_t n) const {
+  kernels::mirror_at_visible_normals(*kernels_[component], facets_->components_[component].frame.stretch(),
+                                     seen_[component], u1, u2, out, n);
 }
 
 } // namespace brdfplot

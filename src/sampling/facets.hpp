@@ -3,9 +3,11 @@
 #pragma once
 
 #include "brdf/term.hpp"
+#include "math/kernels/sampling.hpp"
 #include "sampling/radial_slopes.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace brdfplot {
@@ -23,6 +25,8 @@ public:
 
   /// Whether normals can be drawn as they are seen (see RadialSlopes::visible()).
   bool visible() const;
+  /// Whether all components are GGX.
+  bool ggx() const;
   const Distribution& distribution() const { return distribution_; }
   const std::vector<Component>& components() const { return components_; }
 
@@ -34,14 +38,28 @@ public:
   /// Normals with the density <v, m> D(m) / visible_area(v), c of v > 0 (Eq. 16).
   class Viewer {
   public:
-    Viewer(const Facets& facets, const Direction& v);
+    /// `on_disc`: all components are GGX, and drawn by Heitz's map of 2018.
+    Viewer(const Facets& facets, const Direction& v, bool on_disc = false);
     Direction normal(const SamplePoint& point) const;
+
+    std::size_t components() const { return shares_.size(); }
+    /// The component that the number u in [0, 1) falls to; see chosen().
+    std::size_t component(double& u) const { return chosen(shares_, u); }
+    /// A normal of a component, from the point (u1, u2) of the unit square.
+    Direction normal(std::size_t component, double u1, double u2) const;
+    /// Whether there is a kernel that mirrors at a component's normals.
+    bool has_kernel(std::size_t component) const { return kernels_[component].has_value(); }
+    /// v mirrored at normal(component, u1, u2) of each pair, with its density where the component is the only one.
+    void mirror(std::size_t component, const double* u1, const double* u2, const kernels::MirroredAtNormals& out,
+                std::size_t n) const;
 
   private:
     const Facets* facets_;
     Direction v_;
     std::vector<double> shares_; ///< of the visible area
     std::vector<RadialSlopes::Viewer> viewers_;
+    std::vector<std::optional<kernels::Distribution>> kernels_;
+    std::vector<kernels::SeenFrom> seen_;
   };
 
 private:

@@ -1,5 +1,6 @@
 #include "sampling/radial_slopes.hpp"
 
+#include "microfacet/distributions/ggx.hpp"
 #include "microfacet/visible_normals.hpp"
 
 #include <algorithm>
@@ -58,6 +59,17 @@ std::function<UnitSlope(double, double, double, double)> closed_visible_slope(co
           return &D::UnitShape::visible_slope;
         else
           return {};
+      },
+      component.distribution);
+}
+
+std::optional<kernels::Distribution> kernel_of(const Component& component) {
+  return std::visit(
+      []<class D>(const D&) -> std::optional<kernels::Distribution> {
+        if constexpr (requires { D::UnitShape::kernel; })
+          return D::UnitShape::kernel;
+        else
+          return std::nullopt;
       },
       component.distribution);
 }
@@ -134,7 +146,7 @@ double visible_area(const Component& component, const Projection& in_frame) {
 
 RadialSlopes::RadialSlopes(const Component& component)
     : density_(density_of(component)), within_(closed_within(component)),
-      visible_slope_(closed_visible_slope(component)) {
+      visible_slope_(closed_visible_slope(component)), kernel_(kernel_of(component)) {
   const bool infinite = std::visit(
       [](const auto& d) {
         return requires { d.profile.infinite_mean_slope; };
@@ -158,8 +170,8 @@ RadialSlopes::RadialSlopes(const Component& component)
 
 double RadialSlopes::within(double u) const { return within_ ? within_(u) : std::exp(ground_.inverse(u)); }
 
-RadialSlopes::Viewer::Viewer(const RadialSlopes& slopes, double c, double s)
-    : c_(c), s_(s), closed_(slopes.visible_slope_) {
+RadialSlopes::Viewer::Viewer(const RadialSlopes& slopes, double c, double s, bool on_disc)
+    : c_(c), s_(s), closed_(on_disc ? &GgxShape::visible_slope_2018 : slopes.visible_slope_) {
   if (closed_) return;
   const double horizon = s > 0 ? std::log(c / s) : infinity;
   const auto seen = [=](double x) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "brdf/components.hpp"
+#include "math/kernels/kernels.hpp"
 #include "microfacet/visible_slopes.hpp"
 #include "sampling/piecewise_density.hpp"
 
@@ -28,6 +29,9 @@ public:
   /// Whether slopes as they are seen can be told: their mean is finite, and what lies beyond 1e100 does not matter.
   bool visible() const { return visible_; }
 
+  /// The kernel that mirrors at slopes as they are seen, where there is one.
+  const std::optional<kernels::Distribution>& kernel() const { return kernel_; }
+
   /// The norm of the slopes within which a share u of the ground lies, u in [0, 1).
   double within(double u) const;
 
@@ -37,7 +41,8 @@ public:
   /// then of psi by Newton's rule.
   class Viewer {
   public:
-    Viewer(const RadialSlopes& slopes, double c, double s);
+    /// `on_disc`: GGX's by Heitz's map of 2018 instead.
+    Viewer(const RadialSlopes& slopes, double c, double s, bool on_disc = false);
     UnitSlope operator()(double u1, double u2) const;
 
   private:
@@ -52,6 +57,7 @@ private:
   std::function<UnitSlope(double, double, double, double)> visible_slope_;
   std::vector<PiecewiseDensity::Piece> pieces_; ///< of f r^2 over ln r
   PiecewiseDensity ground_;
+  std::optional<kernels::Distribution> kernel_;
   bool visible_ = true;
 };
 

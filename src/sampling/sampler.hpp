@@ -4,6 +4,7 @@
 
 #include "brdf/material.hpp"
 #include "brdf/viewer_rows.hpp"
+#include "sampling/direct_lobe.hpp"
 #include "sampling/facets.hpp"
 
 #include <memory>
@@ -18,14 +19,22 @@ enum class Strategy {
   cosine,          ///< cos theta_i / pi about the normal of the mesosurface
   half_vector,     ///< omega_o mirrored at a normal with the density D(m) (m.g)
   visible_normals, ///< omega_o mirrored at a normal with the density <o, m> D(m) / sigma(o) (Heitz 2014, Eq. 16)
+  heitz_2018,      ///< the same of GGX, where visible_normals are Dupuy and Benyoub's (2023), by Heitz's map (2018)
+  kelemen,         ///< what Kelemen and Szirmay-Kalos (2001) do: half_vector, and `complement` by a table
+  eon,             ///< what Portsmouth, Kutz and Hill (2024) do for `eon`
 };
+
+/// Whether normals are drawn as they are seen.
+inline bool draws_visible(Strategy strategy) {
+  return strategy == Strategy::visible_normals || strategy == Strategy::heitz_2018;
+}
 
 std::string name_of(Strategy strategy);
 /// The names that `Sampler` takes, "default" first.
 std::vector<std::string> strategy_names();
 
 /// What a term can be drawn by: `cosine`; where it is about the half vector, `half_vector`; and where the facets' mean
-/// slope is finite, `visible_normals`.
+/// slope is finite, `visible_normals`, of GGX `heitz_2018` too; `kelemen` (see matte_lobe()) and `eon` by the type.
 std::vector<Strategy> strategies_of(const WeightedTerm& term);
 /// `visible_normals` for mirrors with a Lambda, else `half_vector` for what is about it, else `cosine`.
 Strategy default_strategy(const WeightedTerm& term);
@@ -35,7 +44,8 @@ Strategy default_strategy(const WeightedTerm& term);
 /// A sum of terms is drawn from by the one-sample model (Veach 1997, section 9.2.4): a term is chosen, and the density
 /// is that of all, weighted by their chances. The chance of term k is 0.9 w_k / sum w + 0.1 / K of K terms, w_k its
 /// weight times its albedo or colour or its Fresnel reflectance at omega_o over the mean normal, as means of channels,
-/// and 1 where it has none of these; so that no term is ever left to the others.
+/// and 1 where it has none of these; so that no term is ever left to the others. By the strategy `kelemen`, of a term
+/// and its `complement`, the albedo of each at omega_o, from the table, is w.
 ///
 /// Mirrored directions may lie below the horizon, where the BRDF is 0; the density is over the whole sphere, and its
 /// integral there is 1. From a viewer at or below the horizon of the mesosurface nothing is drawn: its density is 0.
@@ -53,23 +63,30 @@ public:
     Direction sample(const SamplePoint& point) const;
 
   private:
+    friend class SampleBatches;
+
     const Sampler* sampler_;
     Direction omega_o_;
     std::vector<double> shares_;
     std::vector<std::optional<Facets::Viewer>> facets_;
   };
 
-  /// Directions for a batch of points at one viewer.
+  /// Directions for a batch of points at one viewer: those of Viewer::sample but for rounding, by kernels where there
+  /// are some (math/kernels/sampling.hpp).
   void sample(const Direction& omega_o, const std::vector<SamplePoint>& points, DirectionArrays& omega_i) const;
+  /// The same, and the density of each: what densities() gives but for the rounding of o + i, which narrow lobes feel.
+  void sample(const Direction& omega_o, const std::vector<SamplePoint>& points, DirectionArrays& omega_i,
+              std::vector<double>& pdf) const;
   /// The density (1/sr) of each pair; 0 where o and i are opposite, where it is none.
   void densities(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out) const;
 
   /// The terms one by one, of which the density is a sum: what each adds to it, and the chances at a viewer.
   struct Lobe {
     Strategy strategy;
-    std::shared_ptr<const Facets> facets; ///< null: cosine
-    double size;                          ///< weight and albedo
-    const Fresnel* fresnel;               ///< null: none
+    std::shared_ptr<const Facets> facets;       ///< null: cosine
+    double size;                                ///< weight and albedo
+    const Fresnel* fresnel;                     ///< null: none
+    std::shared_ptr<const DirectLobe> direct{}; ///< null: cosine, or facets
   };
   const std::vector<Lobe>& lobes() const { return lobes_; }
   std::vector<double> shares(const Direction& omega_o) const;
@@ -78,9 +95,13 @@ public:
   const SlopeMap& mesosurface() const { return map_; }
 
 private:
+  /// How much each term reflects, as far as that is known.
+  std::vector<double> sizes(const Direction& omega_o) const;
+
   SlopeMap map_;
   Direction mean_normal_;
   std::vector<Lobe> lobes_;
+  const Complement* complement_ = nullptr; ///< whose table says how much either of two terms reflects
 };
 
 } // namespace brdfplot

@@ -4,7 +4,7 @@
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
-#include "brdf/evaluate.hpp"
+#include "sampling/weights.hpp"
 #include "stream/columns.hpp"
 #include "stream/rows.hpp"
 
@@ -74,22 +74,20 @@ private:
   void write(const Piece& piece, std::string& text) const {
     const std::string where = file_ + ":" + std::to_string(piece.viewer.line);
     const Direction& o = piece.viewer.omega_o;
-    DirectionArrays lights;
-    sampler_.sample(o, points(options_.points, options_.seed, piece.viewer.line, piece.first, piece.n), lights);
-    ViewerRows rows(o);
-    const Batch batch = rows.with_lights(piece.n, [&](std::size_t k) { return lights.view()[k]; });
     const auto channels = static_cast<std::size_t>(material_.channels());
-    std::vector<double> pdf(piece.n), weights(channels * piece.n);
-    sampler_.densities(piece.n, batch.o, batch.i, pdf.data());
+    WeightedSamples drawn;
     try {
-      evaluate(material_, Quantity::brdf_cos, batch, weights.data());
+      draw(material_, sampler_, o, points(options_.points, options_.seed, piece.viewer.line, piece.first, piece.n),
+           drawn);
     } catch (const AccuracyError& error) {
       throw AccuracyError(where, error.what());
     }
     for (std::size_t k = 0; k < piece.n; ++k) {
       text += piece.viewer.row;
-      for (const double value : {lights.x[k], lights.y[k], lights.z[k], pdf[k]}) append(text, value);
-      for (std::size_t c = 0; c < channels; ++c) append(text, weight(weights[c * piece.n + k], pdf[k], where));
+      for (const double value : {drawn.lights.x[k], drawn.lights.y[k], drawn.lights.z[k], drawn.pdf[k]})
+        append(text, value);
+      for (std::size_t c = 0; c < channels; ++c)
+        append(text, weight(drawn.weights[c * piece.n + k], drawn.pdf[k], where));
       text += '\n';
     }
   }
@@ -99,11 +97,10 @@ private:
     append_number(text, value);
   }
 
-  static double weight(double brdf_cos, double pdf, const std::string& where) {
-    const double value = brdf_cos > 0 && pdf > 0 ? brdf_cos / pdf : 0;
+  static double weight(double value, double pdf, const std::string& where) {
     if (!std::isfinite(value) || !std::isfinite(pdf))
-      throw AccuracyError(where, "found a weight of " + format_number(brdf_cos) + " / " + format_number(pdf) +
-                                     ", accepted: a finite number");
+      throw AccuracyError(where, "found a weight of " + format_number(value) + " at a density of " +
+                                     format_number(pdf) + ", accepted: a finite number");
     return value;
   }
 

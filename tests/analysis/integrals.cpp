@@ -271,3 +271,13 @@ TEST_CASE("below the horizon integrals are 0, and an accuracy that cannot be rea
   CHECK(compute(Integral::albedo, material("ggx", 0.5), from_angles(1.7, 0)).value == 0);
   CHECK_THROWS_AS(compute_or_throw(Integral::albedo, material("ggx", 0.5), from_angles(1, 0), 1e-30), AccuracyError);
 }
+
+TEST_CASE("a viewer whose distance from the normal has no square") {
+  const Material m = material("ggx", 0.1);
+  for (const double theta : {1e-150, 1e-157, 1.7e-158, 1e-160, 1e-165, 0x1p-1074})
+    for (const Integral integral : {Integral::weak_furnace, Integral::projected_area, Integral::albedo}) {
+      INFO("theta_o = " << theta);
+      const double at_normal = compute(integral, m, {0, 0, 1}).value;
+      CHECK(std::fabs(compute(integral, m, from_angles(theta, 0.7)).value - at_normal) < 1e-9);
+    }
+}

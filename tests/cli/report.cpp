@@ -162,6 +162,82 @@ TEST_CASE("the report on Real-Time Rendering: what its captions say is what its 
   CHECK(std::fabs(at_85("f0 = 1", "energy") - at_85("f0 = 1", "walk")) < 0.01);
 }
 
+TEST_CASE("the report on sampling: what its captions say is what its data are") {
+  const Folder folder;
+  check_output(folder, "brdfplot report configs/reports/sampling.json -o out --quiet");
+  /// The value of a series of a panel at its first or its last theta_o, and its extremes.
+  struct Curve {
+    double first = 0, last = 0, largest = 0;
+  };
+  const auto curve_of = [&](const std::string& figure, const std::string& panel, const std::string& series) {
+    Curve found;
+    bool begun = false;
+    for (const auto& row : cells(folder.read("out/figures/sampling_" + figure + ".csv"))) {
+      if (row[0] != panel || row[1] != series) continue;
+      const double value = std::stod(row.back());
+      if (!begun) found.first = value;
+      begun = true;
+      found.last = value;
+      found.largest = std::fmax(found.largest, value);
+    }
+    CAPTURE(panel);
+    CAPTURE(series);
+    REQUIRE(begun);
+    return found;
+  };
+  const auto within = [](double value, double said, double half) { return std::fabs(value - said) <= half; };
+
+  const Curve half_01 = curve_of("variance", "GGX with α = 0.1", "half vector");
+  const Curve seen_01 = curve_of("variance", "GGX with α = 0.1", "visible normals");
+  const Curve half_05 = curve_of("variance", "GGX with α = 0.5", "half vector");
+  const Curve seen_05 = curve_of("variance", "GGX with α = 0.5", "visible normals");
+  CHECK(within(half_01.last / seen_01.last, 630, 5));
+  CHECK(within(half_05.last / seen_05.last, 370, 5));
+  CHECK(within(curve_of("variance", "GGX with α = 0.5", "cosine").first, 0.018, 0.0005));
+  CHECK(within(seen_05.first, 0.15, 0.005));
+  double most = 0, most_half = 0;
+  for (const std::string panel :
+       {"GGX with α = 0.1", "GGX with α = 0.5", "Beckmann with α = 0.1", "Beckmann with α = 0.5"}) {
+    most = std::fmax(most, curve_of("variance", panel, "visible normals").largest);
+    most_half = std::fmax(most_half, curve_of("variance", panel, "half vector").largest);
+  }
+  CHECK(most < 0.16);
+  CHECK(within(most_half, 7.0, 0.05));
+
+  double of_cosine = 0, of_half = 0, of_seen = 0;
+  for (const auto& row : cells(folder.read("out/figures/sampling_largest_weight.csv"))) {
+    if (row[0] == "panel") continue;
+    double& largest = row[0] == "cosine" ? of_cosine : row[0] == "half vector" ? of_half : of_seen;
+    largest = std::fmax(largest, std::stod(row.back()));
+  }
+  CHECK(of_seen <= 1 + 1e-9);
+  CHECK(within(of_half, 183, 0.5));
+  CHECK(within(of_cosine, 23000, 50));
+
+  for (const std::string m : {"m = 0.1", "m = 0.4", "m = 0.8"}) {
+    const Curve largest = curve_of("kelemen", "largest cos θ_i / cos β", m);
+    CHECK(within(largest.last, 1.88, 0.005));
+    CHECK(largest.largest == largest.last);
+    CHECK(within(largest.first, 1, 0.005));
+    const Curve variance = curve_of("kelemen", "variance", m);
+    CHECK((variance.last > 0.605 && variance.last < 0.755));
+    if (m == "m = 0.1") CHECK(within(variance.first, 0.000215, 5e-6));
+    if (m == "m = 0.8") CHECK(within(variance.first, 0.11, 0.005));
+  }
+
+  const Curve by_cosine = curve_of("diffuse", "eon with r = 1", "cosine"),
+              by_eon = curve_of("diffuse", "eon with r = 1", "eon");
+  CHECK(within(by_cosine.last, 1.25, 0.005));
+  CHECK(within(by_eon.last, 0.036, 0.0005));
+  CHECK(within(by_cosine.last / by_eon.last, 35, 0.5));
+  const std::string both = "Kelemen and Szirmay-Kalos with m = 0.4";
+  const Curve usual = curve_of("diffuse", both, "half vector and cosine"), own = curve_of("diffuse", both, "their own");
+  CHECK(within(own.first, 0.00016, 5e-6));
+  CHECK(within(usual.first, 0.00060, 5e-6));
+  CHECK(within(own.last, 0.44, 0.005));
+  CHECK(within(usual.last, 0.38, 0.005));
+}
+
 TEST_CASE("figures and tables of a report are the same bytes on any number of threads") {
   const Folder folder;
   write_report(folder);

@@ -44,7 +44,7 @@ TEST_CASE("what is drawn can be read again, and pdf is the one that it was drawn
 TEST_CASE("neither threads nor the way in change a byte of what is drawn; a seed does") {
   const Folder folder;
   std::string viewers = "theta_o,phi_o\n";
-  for (int k = 0; k < 3000; ++k) viewers += std::to_string(k * 0.0005) + "," + std::to_string(k) + "\n";
+  for (int k = 0; k < 3000; ++k) viewers += std::to_string(k * 0.0005) + "," + std::to_string(k * 0.002) + "\n";
   folder.write("in.csv", viewers);
   for (const std::string points : {"random", "sobol"}) {
     const std::string command = sample + "-i in.csv -n 7 --points " + points;
@@ -131,4 +131,28 @@ TEST_CASE("check --sampling: what is drawn follows its density, in a table and a
   CHECK(missed.out.find("✗") != std::string::npos);
   CHECK(missed.err.find("brdfplot: error: sharp.json: theta_o = 0deg, phi_o = 20deg: the mean weight is ") !=
         std::string::npos);
+}
+
+TEST_CASE("check --sampling --pdf: a density that is written is held to what is drawn") {
+  const Folder folder;
+  folder.write("beckmann.json", R"({"distribution": {"type": "beckmann", "alpha": 0.4}})");
+  folder.write("ggx.json", R"({"distribution": {"type": "ggx", "alpha_x": 0.2, "alpha_y": 0.8}})");
+  const std::string check = "brdfplot check --sampling -n 5000 --strategy visible_normals ";
+  check_output(folder, check + "beckmann.json --pdf pdf");
+  // Normalised as Heitz and d'Eon do, by C = 1 + erf(cot) + alpha tan exp(-cot^2) / sqrt(pi); cot in units of alpha.
+  const std::string density = "exp(-tan(theta_h)^2/0.16)/(pi*0.16*cos(theta_h)^4)";
+  const auto normalised = [&](const std::string& exponent) {
+    return density + "/(2*((1+erf(z_o/(0.4*sin(theta_o))))*z_o + 0.4*sin(theta_o)*exp(-" + exponent +
+           ")/sqrt(pi)))*(z_h>0)";
+  };
+  check_output(folder, check + "beckmann.json --pdf '" + normalised("(z_o/(0.4*sin(theta_o)))^2") + "'");
+  const Outcome wrong = run(folder, check + "beckmann.json --pdf '" + normalised("z_o^2") + "'");
+  CHECK(wrong.code == 1);
+  CHECK(wrong.err.find("the density integrates to ") != std::string::npos);
+  const std::string ggx = "1/(pi*0.16*((x_h/0.2)^2+(y_h/0.8)^2+z_h^2)^2)*(z_h>0)/(2*(z_o+sqrt(z_o^2+";
+  check_output(folder, check + "ggx.json --pdf '" + ggx + "(0.2*x_o)^2+(0.8*y_o)^2)))'");
+  const Outcome product = run(folder, check + "ggx.json --pdf '" + ggx + "0.16*(x_o^2+y_o^2))))'");
+  CHECK(product.code == 1);
+  check_error(folder, check + "ggx.json --pdf 'pdff'", 2, {"--pdf: formula \"pdff\": ", "did you mean \"pdf\"?"});
+  check_error(folder, "brdfplot check ggx.json --pdf pdf", 2, {"without --sampling"});
 }

@@ -48,3 +48,24 @@ TEST_CASE("CSV of an empty figure is the header") {
   map.kind = Kind::heatmap;
   CHECK(to_csv(map) == "panel,x,y,value\n");
 }
+
+TEST_CASE("CSV: a column for each variable that panels sweep, and panels that are not drawn") {
+  Figure figure;
+  Panel first, second;
+  first.x.column = "theta_o";
+  second.x.column = "alpha";
+  first.y.column = second.y.column = "value";
+  first.series.resize(1);
+  first.series[0].label = "a";
+  first.series[0].x = {1};
+  first.series[0].y = {2};
+  second.series = first.series;
+  second.series[0].label = "b";
+  second.series[0].x = {3};
+  second.series[0].y = {4};
+  second.drawn = false;
+  second.title = "hidden";
+  figure.panels = {first, second};
+  CHECK(to_csv(figure) == "panel,series,theta_o,alpha,value\n,a,1,,2\nhidden,b,,3,4\n");
+  CHECK(to_svg(figure).find("hidden") == std::string::npos);
+}

@@ -63,6 +63,7 @@ COMMANDS = {
     "sample": ["sample", "material.json", "-n", "9", "-i", "viewers.csv", "-o", "out/samples.csv", "--threads", "2"],
     "plot": ["plot", "map.json", "spheres.json", "-o", "out", "--cache", "cache", "--threads", "1"],
     "check": ["check", "material.json", "--csv", "-o", "out/check.csv", "--threads", "1"],
+    "stress": ["stress", "lambda_ggx", "-o", "out", "--threads", "1"],
     "validate": ["validate", "report.json", "material.json"],
     "threads": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "2"],
     "measured": ["eval", "measured.json", "-q", "brdf", "-i", "points.csv", "-o", "out/values.csv", "--threads", "1"],

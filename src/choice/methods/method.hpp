@@ -60,9 +60,12 @@ struct Method {
   std::optional<Operations> operations{}; ///< the most of any input that was counted; none where it cannot be counted
   std::size_t bytes = 0;                  ///< of tables
   double bound = 0;                       ///< the relative error that it states over the whole domain; 0: none
-  double evaluations = 0;                 ///< of an integrand, the most that were seen: a quadrature's cost; 0: none
-  std::string note{};                     ///< what else was found: whether its own estimate of its error holds
-  bool portable = true; ///< the same on every machine; not so a kernel of an instruction set that some have
+  /// The absolute error that it states of its value at a row of inputs, as a quadrature does that judges itself. Empty:
+  /// none.
+  std::function<double(std::span<const double> input)> stated_error{};
+  double evaluations = 0; ///< of an integrand, the most that were seen: a quadrature's cost; 0: none
+  std::string note{};     ///< what else was found: whether its own estimate of its error holds
+  bool portable = true;   ///< the same on every machine; not so a kernel of an instruction set that some have
 
   bool is_single() const { return std::holds_alternative<Run<float>>(run); }
 };
@@ -72,8 +75,8 @@ struct Problem {
   std::string doc;
   std::string source;
   std::vector<Input> inputs;
-  std::function<Exact(std::span<const double> input)> exact;
-  std::vector<Method> methods;
+  std::function<Exact(std::span<const double> input)> exact{}; ///< empty, of a formula of the user's: not known
+  std::vector<Method> methods{};
 
   // What is true of the exact function.
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
@@ -82,6 +85,9 @@ struct Problem {
   /// the value itself.
   std::function<double(double)> seen{};
   std::string seen_as{}; ///< its name: "G1"
+  bool albedo = false;   ///< a share of the light: more than 1 is energy out of nothing
+  bool smooth = false;   ///< where there are no exact values: digits are told by how far values are off a smooth curve
+  bool reciprocal = false; ///< the same where the first half of the inputs and the second change places
 
   std::string cost_unit{}; ///< of costs where they are no operations: "evaluations of the integrand"
 

@@ -52,6 +52,7 @@ bool is_coloured(const std::string& quantity) {
   const std::string name = quantity.substr(quantity.rfind('.') + 1);
   const auto known = std::ranges::find(quantities(), name, &QuantityInfo::name);
   if (known != quantities().end()) return known->coloured();
+  if (name == "pdf") return false;
   const auto integral = std::ranges::find(integrals(), name, &IntegralInfo::name);
   return integral == integrals().end() || integral->coloured;
 }

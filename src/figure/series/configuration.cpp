@@ -66,6 +66,12 @@ void Configuration::set_model(const std::string& variable, const std::string& ty
     channel_ = static_cast<Channel>(found - channel_names().begin());
     return;
   }
+  if (variable == "strategy") {
+    const std::vector<std::string> names = strategy_names();
+    if (std::ranges::find(names, type) == names.end()) throw InputError("", unknown_name(variable, type, names));
+    strategy_ = type;
+    return;
+  }
   const auto numbers = numeric_variables(material_);
   if (std::ranges::find(numbers, variable) != numbers.end())
     throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
@@ -81,8 +87,8 @@ void Configuration::set_model(const std::string& variable, const std::string& ty
   } else if (model == "fresnel") {
     set_type<Fresnel>(term->fresnel, variable, type);
   } else {
-    throw InputError(
-        "", unknown_name("variable", variable, {"distribution", "masking", "shadowing", "fresnel", "channel"}));
+    throw InputError("", unknown_name("variable", variable,
+                                      {"distribution", "masking", "shadowing", "fresnel", "channel", "strategy"}));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "figure/description.hpp"
 #include "figure/series/channel.hpp"
 #include "math/half_difference.hpp"
+#include "sampling/sampler.hpp"
 
 #include <array>
 #include <functional>
@@ -51,6 +52,8 @@ public:
   Ready ready() const;
 
   std::optional<Channel> channel() const { return channel_; }
+  /// How directions are drawn, of quantities that say how well that is done.
+  const std::string& strategy() const { return strategy_; }
 
   /// theta_o, phi_o, ... phi_m, where it is set.
   std::optional<double> angle(const std::string& variable) const;
@@ -69,6 +72,7 @@ private:
 
   MaterialDescription material_;
   std::optional<Channel> channel_;
+  std::string strategy_ = "default";
   std::array<std::optional<double>, 6> angle_; ///< theta and phi of o, i, m
   std::array<std::optional<double>, 4> half_;  ///< theta and phi of the half vector and of the difference
   std::optional<double> a_;

@@ -25,6 +25,7 @@ std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
   for (const auto& info : quantities()) names.push_back(info.name);
   for (const auto& info : integrals()) names.push_back(info.name);
+  for (const auto& info : sampled_quantities()) names.push_back(info.name);
   return names;
 }
 
@@ -45,10 +46,10 @@ bool depends_on(const std::string& name, const std::string& variable) {
   if (variable == "channel") return is_coloured(quantity);
   const bool of_m = variable == "theta_m" || variable == "phi_m" || variable == "slope";
   const bool of_i = variable == "theta_i" || variable == "phi_i";
-  const bool of_o_alone =
-      quantity == "lambda" || std::ranges::find(integrals(), quantity, &IntegralInfo::name) != integrals().end();
+  const bool of_o_alone = quantity == "lambda" || quantity == "weight_variance" || quantity == "largest_weight" ||
+                          std::ranges::find(integrals(), quantity, &IntegralInfo::name) != integrals().end();
   if (of_o_alone) return !of_m && !of_i;
-  return !of_m || (quantity != "brdf" && quantity != "brdf_cos");
+  return !of_m || (quantity != "brdf" && quantity != "brdf_cos" && quantity != "pdf");
 }
 
 TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, double tolerance)
@@ -59,20 +60,28 @@ TermFunction::TermFunction(const Term& term, std::vector<std::string> swept, dou
     if (info.name == quantity) quantity_ = info.quantity;
   for (const auto& info : integrals())
     if (info.name == quantity) integral_ = info.integral;
-  if (!quantity_ && !integral_) throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
+  for (const auto& info : sampled_quantities())
+    if (info.name == quantity) sampled_ = info.quantity;
+  if (sampled_ && !term_.empty())
+    throw InputError("", "found \"" + name_ + "\", accepted: \"" + quantity + "\", of all terms together");
+  if (!quantity_ && !integral_ && !sampled_)
+    throw InputError("", unknown_name("quantity", term.quantity, quantity_names()));
 }
 
 void TermFunction::require_all(const MaterialDescription& description, const Material& material,
                                const Directions& directions) const {
-  if (integral_ && !directions.o) throw InputError("", "this quantity needs theta_o");
-  if (quantity_)
+  if ((integral_ || sampled_) && !directions.o) throw InputError("", "this quantity needs theta_o");
+  if (sampled_ == SampledQuantity::pdf && !directions.i) throw InputError("", "this quantity needs theta_i");
+  if (sampled_)
+    Sampler(material, fixed().strategy()); // has an error for a strategy that a term has not
+  else if (quantity_)
     require(material, info_of(*quantity_), directions.o.has_value(), directions.i.has_value(), directions.m.has_value(),
             term_);
   else
     require(material, integrals()[static_cast<std::size_t>(*integral_)], term_);
   require_channel(description, material, fixed().channel(), name_);
-  if (integral_ && *integral_ != Integral::albedo && is_coloured(name_) && material.channels() > 1)
-    single_channel(fixed().channel(), name_);
+  const bool mixes = !is_integral() || integral_ == Integral::albedo;
+  if (!mixes && is_coloured(name_) && material.channels() > 1) single_channel(fixed().channel(), name_);
 }
 
 void TermFunction::check(const std::vector<double>& values) const {
@@ -119,6 +128,24 @@ std::vector<double> TermFunction::evaluated(const Material& material, const std:
   return all;
 }
 
+std::vector<double> TermFunction::sampled(const Material& material, const std::vector<Directions>& directions) const {
+  const Sampler sampler(material, fixed().strategy());
+  const int channel = material.channels() == 1 ? 0 : single_channel(fixed().channel(), name_);
+  std::vector<double> values;
+  for (const Directions& row : directions) {
+    throw_if_interrupted();
+    const Direction& o = *row.o;
+    values.push_back(0);
+    if (*sampled_ == SampledQuantity::pdf)
+      sampler.densities(1, {&o.x, &o.y, &o.z}, {&row.i->x, &row.i->y, &row.i->z}, &values.back());
+    else if (*sampled_ == SampledQuantity::weight_variance)
+      values.back() = weight_variance(material, sampler, o, tolerance_, channel);
+    else
+      values.back() = largest_weight(material, sampler, o, channel);
+  }
+  return values;
+}
+
 std::vector<double> TermFunction::operator()(const SweptColumns& columns) const {
   std::vector<double> out(columns.empty() ? 1 : columns.front().size());
   configuration_.for_each_surface(columns,
@@ -127,6 +154,8 @@ std::vector<double> TermFunction::operator()(const SweptColumns& columns) const 
                                     std::vector<double> values;
                                     if (quantity_) {
                                       values = evaluated(surface.material, directions);
+                                    } else if (sampled_) {
+                                      values = sampled(surface.material, directions);
                                     } else if (configuration_.is_constant()) {
                                       values.assign(rows.size(), integral_at(surface.material, *directions.front().o));
                                     } else {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/integrals.hpp"
+#include "analysis/weight_moments.hpp"
 #include "figure/series/configuration.hpp"
 
 #include <optional>
@@ -32,13 +33,14 @@ public:
   /// Throws what operator() would at these values, without computing an integral.
   void check(const std::vector<double>& values) const;
 
-  bool is_integral() const { return integral_.has_value(); }
+  bool is_integral() const { return integral_ || (sampled_ && sampled_ != SampledQuantity::pdf); }
   const Configuration& fixed() const { return configuration_.fixed(); }
 
 private:
   void require_all(const MaterialDescription& description, const Material& material,
                    const Directions& directions) const;
   double integral_at(const Material& material, const Direction& o) const;
+  std::vector<double> sampled(const Material& material, const std::vector<Directions>& directions) const;
   std::vector<double> evaluated(const Material& material, const std::vector<Directions>& directions) const;
 
   std::string name_;
@@ -46,6 +48,7 @@ private:
   SweptConfiguration configuration_;
   std::optional<Quantity> quantity_;
   std::optional<Integral> integral_;
+  std::optional<SampledQuantity> sampled_;
   double tolerance_;
 };
 

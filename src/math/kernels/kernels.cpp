@@ -119,6 +119,38 @@ detail::IndexConstants constants_of(double eta, double absorption) {
           static_cast<double>(contrast)};
 }
 
+/// sqrt(pi) e^(x^2) erfc(x), 0 <= x <= 9.
+double scaled_complement(double x) { return std::sqrt(std::numbers::pi) * std::exp(x * x) * std::erfc(x); }
+
+/// What the guess and the steps for Beckmann's slopes need, of c and s.
+void add_facing(detail::VisibleConstants& k) {
+  const double a = k.s > 0 ? std::fmin(k.c / k.s, 9.0) : 9, angle = std::atan2(k.s, k.c);
+  k.first_power = 1 + angle * (-0.876 + angle * (0.4265 - 0.0594 * angle));
+  k.below = std::erfc(a);
+  k.rest = 2 - k.below;
+  k.lowest = -a;
+  k.c_root_pi = k.c * std::sqrt(std::numbers::pi);
+  k.share_lost = 0.5 * std::exp(-a * a) * (k.s - k.c * scaled_complement(a));
+  k.whole = k.c_root_pi + k.share_lost;
+  k.inverse_whole = 1 / k.whole;
+  k.rise = a < 9 ? std::sqrt(2 * k.whole * std::exp(a * a) / k.s) : 0;
+  k.bend = 2 * a / 3;
+}
+
+detail::VisibleConstants constants_of(const Stretch& stretch, const SeenFrom& from) {
+  const double across = stretch.alpha_y * std::sqrt((1 - stretch.correlation) * (1 + stretch.correlation));
+  const double skew = stretch.correlation * stretch.alpha_y, p = from.along_x, q = from.along_y;
+  detail::VisibleConstants k{};
+  k.o[0] = from.x, k.o[1] = from.y, k.o[2] = from.z;
+  k.c = from.c, k.s = from.s;
+  k.versine = from.s * from.s / (1 + from.c);
+  k.facing[0] = stretch.alpha_x * p, k.facing[1] = skew * p + across * q;
+  k.across[0] = -stretch.alpha_x * q, k.across[1] = across * p - skew * q;
+  k.mean[0] = stretch.mean_x, k.mean[1] = stretch.mean_y;
+  k.density = 1 / (4 * from.visible_area * std::numbers::pi * stretch.alpha_x * across);
+  return k;
+}
+
 template <class T>
 void run_project(const Stretch& stretch, Vectors<T> omega, T* c, T* s, std::size_t n) {
   const auto k = constants_of<T, T>(stretch);
@@ -186,6 +218,13 @@ void reflectance_schlick(const double* c, double f0, double f90, double exponent
 void flat_brdf(FlatTerm term, const FlatParameters& parameters, Vectors<double> o, Vectors<double> i, bool times_cosine,
                int channels, double* const* out, std::size_t n) {
   table().flat.flat[static_cast<int>(term)][times_cosine][channels > 1](parameters, o, i, out, n);
+}
+
+void mirror_at_visible_normals(Distribution distribution, const Stretch& stretch, const SeenFrom& from,
+                               const double* u1, const double* u2, const MirroredAtNormals& out, std::size_t n) {
+  detail::VisibleConstants k = constants_of(stretch, from);
+  if (distribution == Distribution::beckmann) add_facing(k);
+  table().sampling.mirror[static_cast<int>(distribution)](k, u1, u2, out, n);
 }
 
 #define BRDFPLOT_DEFINE(T)                                                                                             \

@@ -4,10 +4,11 @@
 #include "math/kernels/flat_loops.hpp"
 #include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
+#include "math/kernels/sampling_loops.hpp"
 
 namespace brdfplot::kernels::detail {
 
 constinit const Table avx2_table{avx2::kernels_of<double>(), avx2::kernels_of<float>(), avx2::fresnel_kernels(),
-                                 avx2::flat_kernels()};
+                                 avx2::flat_kernels(), avx2::sampling_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -4,10 +4,11 @@
 #include "math/kernels/flat_loops.hpp"
 #include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
+#include "math/kernels/sampling_loops.hpp"
 
 namespace brdfplot::kernels::detail {
 
 constinit const Table avx512_table{avx512::kernels_of<double>(), avx512::kernels_of<float>(), avx512::fresnel_kernels(),
-                                   avx512::flat_kernels()};
+                                   avx512::flat_kernels(), avx512::sampling_kernels()};
 
 } // namespace brdfplot::kernels::detail

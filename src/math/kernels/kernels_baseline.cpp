@@ -4,10 +4,12 @@
 #include "math/kernels/flat_loops.hpp"
 #include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
+#include "math/kernels/sampling_loops.hpp"
 
 namespace brdfplot::kernels::detail {
 
 constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>(),
-                                     baseline::fresnel_kernels(), baseline::flat_kernels()};
+                                     baseline::fresnel_kernels(), baseline::flat_kernels(),
+                                     baseline::sampling_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -5,6 +5,7 @@
 
 #include "math/kernels/flat.hpp"
 #include "math/kernels/kernels.hpp"
+#include "math/kernels/sampling.hpp"
 
 namespace brdfplot::kernels::detail {
 
@@ -81,11 +82,33 @@ struct FlatKernels {
   Flat flat[flat_terms][2][2]; ///< [term][times cosine][rgb]
 };
 
+/// What the loops need of a stretch and what it is seen from.
+struct VisibleConstants {
+  double o[3];
+  double c, s;
+  double versine;                         ///< 1 - c
+  double facing[2], across[2];            ///< the horizontal part of a normal, per unit of either unit slope
+  double mean[2];                         ///< of the slopes
+  double density;                         ///< 1 / (4 sigma pi det)
+  double first_power, below, rest;        ///< the guess of Beckmann's slopes, see `first_facing`
+  double rise, bend;                      ///< the same where slopes start
+  double lowest, share_lost;              ///< the least slope that is seen, -c / s, or -9; see `share_below`
+  double c_root_pi, whole, inverse_whole; ///< c sqrt(pi), and int (c + s x) e^(-x^2) dx over all that is seen
+};
+
+/// Directions mirrored at visible normals.
+struct SamplingKernels {
+  using Mirror = void (*)(const VisibleConstants&, const double*, const double*, const MirroredAtNormals&, std::size_t);
+
+  Mirror mirror[2]; ///< [distribution]
+};
+
 struct Table {
   Kernels<double> for_double;
   Kernels<float> for_float;
   FresnelKernels fresnel;
   FlatKernels flat;
+  SamplingKernels sampling;
 };
 
 extern const Table baseline_table;

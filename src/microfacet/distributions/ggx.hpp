@@ -49,6 +49,22 @@ struct GgxShape {
     return {(radius * std::cos(phi) + s) / h_z, radius * std::sin(phi) / h_z};
   }
 
+  /// The same density by another map: of a disc, half of it scaled, to the half that is seen of a hemisphere (Heitz
+  /// 2018). With t2' the point's height on the disc and h that of its rim, h_z = c z - s t2' would cancel at the rim;
+  /// it is taken as a quotient there.
+  static UnitSlope visible_slope_2018(double c, double s, double u_radius, double u_azimuth) {
+    const double phi = 2 * std::numbers::pi * u_azimuth, radius = std::sqrt(u_radius), q = 0.5 * (1 + c);
+    const double across = radius * std::cos(phi), place = radius * std::sin(phi);
+    const double rim = std::sqrt((1 - across) * (1 + across)), above = 1 - u_radius;
+    // rim - place and rim + place, whose product is 1 - radius^2.
+    const double to_top = place > 0 ? above / (rim + place) : rim - place;
+    const double to_bottom = place > 0 ? rim + place : above / (rim - place);
+    const double height = rim - q * to_top, z = std::sqrt(q * to_top * (rim + height));
+    const double sum = c * z - s * height;
+    const double h_z = height < 0 ? (c * rim - height) * q * to_bottom / sum : s * height + c * z;
+    return {(s * z - c * height) / h_z, across / h_z};
+  }
+
   template <class Generator>
   static UnitSlope sample_visible_slope(double c, double s, Generator& random) {
     const double u_azimuth = random.uniform();
