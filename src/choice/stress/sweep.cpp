@@ -66,7 +66,7 @@ std::vector<double> special_numbers(const Subject& subject, std::size_t index) {
 double random_number(const Subject& subject, std::size_t index, Random& random) {
   const Input& input = subject.problem().inputs[index];
   if (random.uniform() < 0.5) return on_scale(input, random.uniform());
-  const double span = static_cast<double>(subject.place(input.high) - subject.place(input.low));
+  const auto span = static_cast<double>(subject.place(input.high) - subject.place(input.low));
   return subject.stepped(index, input.low, static_cast<std::int64_t>(span * random.uniform()));
 }
 
