@@ -45,7 +45,7 @@ std::optional<Call> call_for(const Microsurface& surface, bool whole_brdf, Quant
   case Quantity::lambda: return call(smith_kernel(surface));
   case Quantity::g1: return half_vector ? std::nullopt : call(smith_kernel(surface));
   case Quantity::d:
-  case Quantity::d_cos: return half_vector ? std::nullopt : call(density_kernel(surface));
+  case Quantity::d_cos: return half_vector ? std::nullopt : call(density_kernel(surface.distribution));
   case Quantity::brdf:
   case Quantity::brdf_cos: {
     const auto whole = whole_kernel(surface);

@@ -2,7 +2,7 @@
 
 namespace brdfplot {
 
-std::optional<kernels::Distribution> density_kernel(const Microsurface& surface) {
+std::optional<kernels::Distribution> density_kernel(const Distribution& distribution) {
   return std::visit(
       []<class D>(const D&) -> std::optional<kernels::Distribution> {
         if constexpr (requires { D::UnitShape::kernel; })
@@ -10,13 +10,13 @@ std::optional<kernels::Distribution> density_kernel(const Microsurface& surface)
         else
           return std::nullopt;
       },
-      surface.distribution);
+      distribution);
 }
 
 std::optional<kernels::Distribution> smith_kernel(const Microsurface& surface) {
   const auto* smith = std::get_if<Smith>(&surface.masking);
   if (smith == nullptr || smith->lambda_of != Smith::LambdaOf::itself) return std::nullopt;
-  return density_kernel(surface);
+  return density_kernel(surface.distribution);
 }
 
 std::optional<WholeKernel> whole_kernel(const Microsurface& surface) {

@@ -10,8 +10,8 @@
 
 namespace brdfplot {
 
-/// The kernel of the distribution of normals, where there is one.
-std::optional<kernels::Distribution> density_kernel(const Microsurface& surface);
+/// The kernel of a distribution of normals, where there is one.
+std::optional<kernels::Distribution> density_kernel(const Distribution& distribution);
 
 /// The same where masking is Smith's, with the Lambda of the distribution itself.
 std::optional<kernels::Distribution> smith_kernel(const Microsurface& surface);

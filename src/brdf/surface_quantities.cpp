@@ -28,7 +28,7 @@ void evaluate_masking(const Microsurface& surface, Quantity quantity, bool has_m
 
 /// Quantities of the normal alone: p22, d, d_cos.
 void evaluate_normal(const Microsurface& surface, Quantity quantity, SurfaceBlock& block, double* out) {
-  if (quantity == Quantity::p22 && !density_kernel(surface)) {
+  if (quantity == Quantity::p22 && !density_kernel(surface.distribution)) {
     std::visit(
         [&](const auto& distribution) {
           for (std::size_t k = 0; k < block.n; ++k) {

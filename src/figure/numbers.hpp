@@ -14,7 +14,7 @@ namespace brdfplot::plot {
 struct Reading {
   enum class Take { at, largest, smallest, note } take = Take::at;
   std::size_t panel = 0;
-  std::string series;      ///< its label, or that of a note
+  std::string series{};    ///< its label, or that of a note
   bool any_series = false; ///< extremes: of all series, or of a heat map, instead of one
   double x = 0;            ///< Take::at: where, by linear interpolation between the points that are drawn
   double from = -std::numeric_limits<double>::infinity(); ///< extremes: of the points from here ...

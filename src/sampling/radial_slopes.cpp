@@ -1,5 +1,6 @@
 #include "sampling/radial_slopes.hpp"
 
+#include "brdf/kernel_choice.hpp"
 #include "microfacet/distributions/ggx.hpp"
 #include "microfacet/visible_normals.hpp"
 
@@ -59,17 +60,6 @@ std::function<UnitSlope(double, double, double, double)> closed_visible_slope(co
           return &D::UnitShape::visible_slope;
         else
           return {};
-      },
-      component.distribution);
-}
-
-std::optional<kernels::Distribution> kernel_of(const Component& component) {
-  return std::visit(
-      []<class D>(const D&) -> std::optional<kernels::Distribution> {
-        if constexpr (requires { D::UnitShape::kernel; })
-          return D::UnitShape::kernel;
-        else
-          return std::nullopt;
       },
       component.distribution);
 }
@@ -146,7 +136,7 @@ double visible_area(const Component& component, const Projection& in_frame) {
 
 RadialSlopes::RadialSlopes(const Component& component)
     : density_(density_of(component)), within_(closed_within(component)),
-      visible_slope_(closed_visible_slope(component)), kernel_(kernel_of(component)) {
+      visible_slope_(closed_visible_slope(component)), kernel_(density_kernel(component.distribution)) {
   const bool infinite = std::visit(
       [](const auto& d) {
         return requires { d.profile.infinite_mean_slope; };
