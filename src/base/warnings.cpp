@@ -37,7 +37,7 @@ std::vector<std::string> take_warnings() {
 }
 
 void warn_of_degrees(const std::string& where, const std::string& name, double radians) {
-  if (!(std::abs(radians) > 2 * std::numbers::pi)) return;
+  if (!(std::abs(radians) > 2 * std::numbers::pi) || !std::isfinite(radians)) return;
   const std::string number = format_number(radians);
   warn(where, name + " = " + number + " rad is more than a full circle; " + number + "deg?");
 }

@@ -193,11 +193,16 @@ std::string_view usual_name(std::string_view name) {
   return name;
 }
 
-/// The accepted name that is the same word, or the only one that is a whole word of `name` ("smith-ggx").
+/// The accepted name that is the same word, written in another way.
 std::optional<std::string> same_word(std::string_view name, const std::vector<std::string>& accepted) {
   const std::string_view usual = usual_name(name);
   for (const std::string& other : accepted)
     if (plain(other) == plain(usual)) return other;
+  return std::nullopt;
+}
+
+/// The only accepted name that is a whole word of `name`: "ggx" of "smith-ggx".
+std::optional<std::string> word_of(std::string_view name, const std::vector<std::string>& accepted) {
   std::vector<std::string> words(1);
   for (const char c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0)
@@ -235,7 +240,8 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
     return row.back();
   };
   const auto best = std::ranges::min_element(accepted, {}, distance);
-  if (best == accepted.end() || distance(*best) > std::max<std::size_t>(2, name.size() / 3)) return std::nullopt;
+  if (best == accepted.end() || distance(*best) > std::max<std::size_t>(2, name.size() / 3))
+    return word_of(name, accepted);
   return *best;
 }
 

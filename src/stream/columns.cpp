@@ -106,7 +106,7 @@ std::optional<std::string> DirectionColumns::read_number(std::string_view field,
 
 void DirectionColumns::mind_degrees(std::size_t column, double plain) const {
   const bool angle = slots_[column] % slots_per_letter < first_cartesian;
-  if (!angle || !(std::abs(plain) > 2 * std::numbers::pi) || warned_->exchange(true)) return;
+  if (!angle || !(std::abs(plain) > 2 * std::numbers::pi) || !std::isfinite(plain) || warned_->exchange(true)) return;
   warn_of_degrees(where_, names_[column], plain);
 }
 

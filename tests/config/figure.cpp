@@ -138,17 +138,17 @@ TEST_CASE("figures: materials by name, given in place, and the nearer one counts
 
 TEST_CASE("figures: for_each makes panels and series, arrays every combination, and {variable} their names") {
   const auto figure = load(figure_text(
-      R"("title": "{masking}, θ_o = {theta_o}; {alpha}", "for_each": [
+      R"("title": "{masking}, θ_o = {theta_o}", "for_each": [
            {"variable": "theta_o", "values": ["60deg", " 7.5 deg ", 0.5, "1rad"]},
            {"variable": "masking", "values": ["smith", "v_cavity"], "labels": ["Smith", "V"]}],
          "series": [{"label": "{alpha} at {theta_o}", "quantity": "g1",
                      "for_each": {"variable": "alpha", "values": [0.1, 1, 1e-6]}}])"));
   REQUIRE(figure.panels.size() == 8);
-  CHECK(figure.panels[0].title == "Smith, θ_o = 60°; {alpha}");
-  CHECK(figure.panels[1].title == "V, θ_o = 60°; {alpha}");
-  CHECK(figure.panels[2].title == "Smith, θ_o = 7.5°; {alpha}");
-  CHECK(figure.panels[4].title == "Smith, θ_o = 0.5; {alpha}");
-  CHECK(figure.panels[7].title == "V, θ_o = 1rad; {alpha}");
+  CHECK(figure.panels[0].title == "Smith, θ_o = 60°");
+  CHECK(figure.panels[1].title == "V, θ_o = 60°");
+  CHECK(figure.panels[2].title == "Smith, θ_o = 7.5°");
+  CHECK(figure.panels[4].title == "Smith, θ_o = 0.5");
+  CHECK(figure.panels[7].title == "V, θ_o = 1rad");
   const auto& series = figure.panels[3].series;
   REQUIRE(series.size() == 3);
   CHECK(series[0].label == "0.1 at 7.5°");

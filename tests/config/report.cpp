@@ -115,7 +115,7 @@ TEST_CASE("reports: errors") {
       {with_table("\"t\"", "\"../t\""), "r.json: /entries/0/table/id: found \"../t\""},
       {with_table("\"smith\"", "\"smiht\""), "/entries/0/table/maskings/0: unknown value \"smiht\"; did you mean"},
       {with_table("0.5", "0"), "r.json: /entries/0/table/alpha/0: found 0, accepted: a number > 0"},
-      {with_table("\"45deg\"", "\"45°\""), "r.json: /entries/0/table/theta_o/0: found \"45°\""},
+      {with_table("\"45deg\"", "\"45º\""), "r.json: /entries/0/table/theta_o/0: found \"45º\""},
       {with_table("\"ggx\"", "\"ggx\", \"gtr\""), "/entries/0/table/distributions/1: \"gtr\" with alpha alone: "},
       {with_table("\"smith\"", "\"smith\", \"custom\""), "/entries/0/table/maskings/1: \"custom\" lacks"},
       {R"({"title": "T", "entries": [{"section": "s", "figure": "f.json"}, {"section": "s", "figure": "f.json"}]})",
