@@ -174,7 +174,7 @@ private:
 
   /// The text at `key`, with the words of what `for_each` runs over.
   std::string worded(const Json& object, const std::string& pointer, const std::string& key, const Scope& scope) const {
-    const std::string text = substituted(object.value(key, ""), scope.words);
+    std::string text = substituted(object.value(key, ""), scope.words);
     for (const std::string& name : plot::names_in(text)) {
       std::vector<std::string> names;
       for (const auto& [variable, word] : scope.words) names.push_back(variable);

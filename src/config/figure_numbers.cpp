@@ -109,7 +109,7 @@ private:
   /// Spheres name their series after channels.
   std::string series(const Json& value, const std::string& pointer, const plot::PanelDescription& panel) const {
     if (!value.contains("series")) file_.fail(pointer, "\"series\" is missing");
-    const auto label = value["series"].get<std::string>();
+    auto label = value["series"].get<std::string>();
     std::vector<std::string> labels;
     for (const auto& one : panel.series) labels.push_back(one.label);
     if (!panel.sphere && std::ranges::find(labels, label) == labels.end())

@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace brdfplot::choice {
 
@@ -16,8 +17,8 @@ namespace brdfplot::choice {
 /// each of which is computed once (`remember`). Any number of threads; results do not depend on it.
 class Renderer {
 public:
-  Renderer(const std::vector<AdviceLight>& lights, Places places, int threads)
-      : lights_(lights), places_(std::move(places)), threads_(threads) {}
+  Renderer(std::vector<AdviceLight> lights, Places places, int threads)
+      : lights_(std::move(lights)), places_(std::move(places)), threads_(threads) {}
 
   const Places& places() const { return places_; }
 

@@ -104,7 +104,7 @@ void light_of(const TermDescription& term) {
   const bool weighted = std::holds_alternative<Rgb>(term.weight) || std::get<double>(term.weight) != 1;
   // times the weight where it is none, and into the sum; c_i and the light's colour are common
   for (int c = 0; c < channels; ++c) {
-    if (weighted && is_flat(term) == false) (void)(Counted(0.5) * Counted(0.5));
+    if (weighted && !is_flat(term)) (void)(Counted(0.5) * Counted(0.5));
     (void)(Counted(0.5) + Counted(0.5));
   }
 }

@@ -37,7 +37,7 @@ BRDFPLOT_INLINE Turn turn(double u) {
                                -1.0 / 6402373705728000,
                                1.0 / 2432902008176640000};
   constexpr double two_pi = 0x1.921fb54442d18p2;
-  const double shifted = multiply_add(u, 2.0, integer_shift<double>);
+  const auto shifted = multiply_add(u, 2.0, integer_shift<double>);
   const double t = two_pi * multiply_add(shifted - integer_shift<double>, -0.5, u);
   const Bits<double> sign = bits(shifted) << 63;
   const double z = t * t, z2 = z * z;
