@@ -56,8 +56,8 @@ std::vector<std::vector<std::string>> comparison_rows(const std::string& a, cons
       {"largest, relative",
        one.relative > 0 ? digits(100 * one.relative, 3) + " % " + pair_text(one.largest_relative, coloured) : "none"},
       {"RMS", with_error(one.rms, one.rms_error) + " of the RMS of " + a},
-      {"light",
-       with_error(one.light, one.light_error) + " of what " + a + " reflects goes elsewhere, or is more or less"},
+      {"light", with_error(one.light, one.light_error) + " of the light that " + a +
+                    " reflects, as the integral of |difference|"},
       {"sphere", "ΔE_ITP " + digits(one.sphere.p95, 3) + " (95th percentile), " + digits(one.sphere.worst, 3) +
                      " (worst 1 %); light " + digits(100 * one.sphere.energy, 2) + " %"}};
   for (const AlbedoPair& pair : one.albedo)
