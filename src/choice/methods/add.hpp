@@ -7,6 +7,10 @@
 
 namespace brdfplot::choice {
 
+/// Lambda of a = cot(theta) / alpha, 1e-4 <= a <= largest; errors are seen in G1 = 1 / (1 + Lambda).
+Problem lambda_of_a(const std::string& name, const std::string& doc, const std::string& source, double largest,
+                    std::function<Exact(std::span<const double>)> exact);
+
 /// A formula for any number type, in double and, as NAME_float, in float.
 template <std::size_t inputs, class F>
 void add_formula(Problem& problem, const std::string& name, const std::string& doc, const std::string& source,

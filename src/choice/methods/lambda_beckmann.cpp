@@ -134,17 +134,7 @@ void add_beckmann_kernels(Problem& p) {
 } // namespace
 
 Problem lambda_beckmann() {
-  Problem p{.name = "lambda_beckmann",
-            .doc = "Smith's Lambda of Beckmann",
-            .source = "Heitz 2014, Eq. 69",
-            .inputs = {{"a", "cot(theta) / alpha", 1e-4, 26, Scale::logarithmic, std::array<double, 2>{0.05, 20}}},
-            .exact = exact_beckmann,
-            .methods = {},
-            .least = 0,
-            .monotone = {-1},
-            .seen = [](double lambda) { return 1 / (1 + lambda); },
-            .seen_as = "G1",
-            .samples = 8192};
+  Problem p = lambda_of_a("lambda_beckmann", "Smith's Lambda of Beckmann", "Heitz 2014, Eq. 69", 26, exact_beckmann);
   const std::string source = "Heitz 2014, Eq. 69";
   add_formula(p, "printed", "Eq. 69, with erf", source, Kind::printed, PrintedBeckmann{}, beckmann_examples);
   add_formula(p, "erfc", "Eq. 69 with erfc for 1 - erf", source, Kind::rewritten, ErfcBeckmann{}, beckmann_examples);

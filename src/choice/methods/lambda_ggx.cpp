@@ -86,17 +86,7 @@ void add_ggx_tables(Problem& p) {
 } // namespace
 
 Problem lambda_ggx() {
-  Problem p{.name = "lambda_ggx",
-            .doc = "Smith's Lambda of GGX",
-            .source = "Heitz 2014, Eq. 72",
-            .inputs = {{"a", "cot(theta) / alpha", 1e-4, 1e8, Scale::logarithmic, std::array<double, 2>{0.05, 20}}},
-            .exact = exact_ggx,
-            .methods = {},
-            .least = 0,
-            .monotone = {-1},
-            .seen = [](double lambda) { return 1 / (1 + lambda); },
-            .seen_as = "G1",
-            .samples = 8192};
+  Problem p = lambda_of_a("lambda_ggx", "Smith's Lambda of GGX", "Heitz 2014, Eq. 72", 1e8, exact_ggx);
   add_formula(p, "printed", "Eq. 72", "Heitz 2014, Eq. 72", Kind::printed, PrintedGgx{}, ggx_examples);
   const std::string rewritten = "Heitz 2014, Eq. 72, rewritten";
   add_formula(p, "rewritten", "1 / (2 a (a + sqrt(1 + a^2)))", rewritten, Kind::rewritten, RewrittenGgx{},

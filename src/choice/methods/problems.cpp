@@ -10,6 +10,21 @@ std::vector<Problem> problems() {
   return all;
 }
 
+Problem lambda_of_a(const std::string& name, const std::string& doc, const std::string& source, double largest,
+                    std::function<Exact(std::span<const double>)> exact) {
+  return {.name = name,
+          .doc = doc,
+          .source = source,
+          .inputs = {{"a", "cot(theta) / alpha", 1e-4, largest, Scale::logarithmic, std::array<double, 2>{0.05, 20}}},
+          .exact = std::move(exact),
+          .methods = {},
+          .least = 0,
+          .monotone = {-1},
+          .seen = [](double lambda) { return 1 / (1 + lambda); },
+          .seen_as = "G1",
+          .samples = 8192};
+}
+
 std::optional<Operations> operations_of(const Problem& problem, const std::string& name) {
   for (const Method& method : problem.methods)
     if (method.name == name) return method.operations;
