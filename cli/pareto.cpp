@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/text_files.hpp"
 #include "choice/methods/of_material.hpp"
+#include "choice/methods/problems.hpp"
 #include "choice/pareto/tables.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
@@ -57,15 +58,16 @@ std::vector<choice::Problem> chosen_problems(const std::vector<std::string>& arg
     all = problems_of_file(argument);
   }
   if (names.empty()) return all.empty() ? choice::problems() : all;
-  for (auto& problem : choice::problems()) all.push_back(std::move(problem));
   std::vector<std::string> accepted;
   for (const auto& problem : all) accepted.push_back(problem.name);
+  for (auto& name : choice::problem_names()) accepted.push_back(std::move(name));
   std::vector<choice::Problem> chosen;
   for (const auto& name : names) {
-    const auto found = std::ranges::find(accepted, name);
-    if (found == accepted.end()) throw InputError("pareto", unknown_name("quantity", name, accepted));
-    if (std::ranges::find(chosen, name, &choice::Problem::name) == chosen.end())
-      chosen.push_back(all[static_cast<std::size_t>(found - accepted.begin())]);
+    if (std::ranges::find(chosen, name, &choice::Problem::name) != chosen.end()) continue;
+    const auto found = std::ranges::find(all, name, &choice::Problem::name);
+    auto made = found != all.end() ? std::optional(*found) : choice::make_problem(name);
+    if (!made) throw InputError("pareto", unknown_name("quantity", name, accepted));
+    chosen.push_back(std::move(*made));
   }
   return chosen;
 }

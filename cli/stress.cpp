@@ -42,26 +42,24 @@ struct Asked {
   std::optional<choice::ProblemMap> map{};
 };
 
-std::vector<std::string> accepted_names(const std::vector<choice::Problem>& all) {
-  std::vector<std::string> names;
-  for (const auto& problem : all) {
-    names.push_back(problem.name);
-    for (const auto& method : problem.methods) names.push_back(problem.name + "/" + method.name);
-  }
-  return names;
-}
-
-Asked asked_by(const std::string& name, const std::vector<choice::Problem>& all) {
+/// A problem, or PROBLEM/METHOD.
+Asked asked_by(const std::string& name) {
   const std::string problem = name.substr(0, name.find('/'));
   const std::string method = name.size() > problem.size() ? name.substr(problem.size() + 1) : "";
-  const auto found = std::ranges::find(all, problem, &choice::Problem::name);
-  if (found != all.end() && (problem.size() == name.size() ||
-                             std::ranges::find(found->methods, method, &choice::Method::name) != found->methods.end()))
-    return {.problem = *found, .method = method};
+  std::vector<std::string> names = choice::problem_names();
+  std::string wanted = problem;
+  if (auto made = choice::make_problem(problem)) {
+    const auto found = std::ranges::find(made->methods, method, &choice::Method::name);
+    if (problem.size() == name.size() || found != made->methods.end())
+      return {.problem = std::move(*made), .method = method};
+    names.clear();
+    for (const auto& one : made->methods) names.push_back(problem + "/" + one.name);
+    wanted = name;
+  }
   std::string what = "found \"" + echo(name) + "\"";
-  if (const auto near = nearest(name, accepted_names(all))) what += "; did you mean \"" + *near + "\"?";
+  if (const auto near = nearest(wanted, names)) what += "; did you mean \"" + *near + "\"?";
   what += " accepted: a MATERIAL.json, or a problem or problem/method:";
-  for (const auto& one : all) what += " " + one.name;
+  for (const auto& one : choice::problem_names()) what += " " + one;
   throw InputError("stress", what);
 }
 
@@ -72,18 +70,12 @@ void add_material(const std::string& file, std::vector<Asked>& asked) {
 }
 
 std::vector<Asked> what_is_asked(const std::vector<std::string>& names) {
-  const auto is_file = [](const std::string& name) { return name.ends_with(".json"); };
-  // Problems have tables and fits, which take a while to make.
-  const bool needs_problems = names.empty() || !std::ranges::all_of(names, is_file);
-  const auto all = needs_problems ? choice::problems() : std::vector<choice::Problem>{};
   std::vector<Asked> asked;
-  if (names.empty())
-    for (const auto& problem : all) asked.push_back({.problem = problem, .method = ""});
-  for (const auto& name : names) {
-    if (is_file(name))
+  for (const auto& name : names.empty() ? choice::problem_names() : names) {
+    if (name.ends_with(".json"))
       add_material(name, asked);
     else
-      asked.push_back(asked_by(name, all));
+      asked.push_back(asked_by(name));
   }
   return asked;
 }

@@ -1,4 +1,4 @@
-#include "choice/methods/method.hpp"
+#include "choice/methods/problems.hpp"
 
 #include <doctest/doctest.h>
 
@@ -53,4 +53,13 @@ TEST_CASE("choice: every problem's methods compute finite numbers in the middle 
       CHECK(std::isfinite(value));
     }
   }
+}
+
+TEST_CASE("choice: problems by their names") {
+  const auto names = choice::problem_names();
+  const auto all = choice::problems();
+  REQUIRE(names.size() == all.size());
+  for (std::size_t k = 0; k < names.size(); ++k) CHECK(names[k] == all[k].name);
+  CHECK(choice::make_problem("d_ggx")->name == "d_ggx");
+  CHECK_FALSE(choice::make_problem("d_gxg"));
 }

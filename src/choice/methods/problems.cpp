@@ -6,8 +6,20 @@ namespace brdfplot::choice {
 
 std::vector<Problem> problems() {
   std::vector<Problem> all;
-  for (const auto make : problem_list) all.push_back(make());
+  for (const ListedProblem& listed : problem_list) all.push_back(listed.make());
   return all;
+}
+
+std::vector<std::string> problem_names() {
+  std::vector<std::string> names;
+  for (const ListedProblem& listed : problem_list) names.emplace_back(listed.name);
+  return names;
+}
+
+std::optional<Problem> make_problem(const std::string& name) {
+  for (const ListedProblem& listed : problem_list)
+    if (listed.name == name) return listed.make();
+  return std::nullopt;
 }
 
 Problem lambda_of_a(const std::string& name, const std::string& doc, const std::string& source, double largest,

@@ -4,6 +4,8 @@
 
 #include "choice/methods/method.hpp"
 
+#include <string_view>
+
 namespace brdfplot::choice {
 
 Problem albedo_ggx();
@@ -29,30 +31,40 @@ Problem narrow_peak();
 Problem sample_beckmann();
 Problem weak_furnace();
 
-/// Each makes a problem.
-inline constexpr std::array problem_list = {
-    &lambda_beckmann,    //
-    &lambda_ggx,         //
-    &lambda_sheen,       //
-    &lambda_student_t,   //
-    &g2,                 //
-    &g2_directions,      //
-    &fresnel_dielectric, //
-    &fresnel_conductor,  //
-    &brdf_ggx,           //
-    &sample_beckmann,    //
-    &albedo_ggx,         //
-    &albedo_ggx_a,       //
-    &albedo_ggx_b,       //
-    &albedo_oren_nayar,  //
-    &alpha_o,            //
-    &angle_from_cosine,  //
-    &d_beckmann,         //
-    &d_ggx,              //
-    &d_gtr,              //
-    &half_vector,        //
-    &narrow_peak,        //
-    &weak_furnace,       //
+/// A problem by its name: making one takes a while where it has tables and fits.
+struct ListedProblem {
+  std::string_view name;
+  Problem (*make)();
 };
+
+inline constexpr std::array problem_list = {
+    ListedProblem{"lambda_beckmann", &lambda_beckmann},
+    ListedProblem{"lambda_ggx", &lambda_ggx},
+    ListedProblem{"lambda_sheen", &lambda_sheen},
+    ListedProblem{"lambda_student_t", &lambda_student_t},
+    ListedProblem{"g2", &g2},
+    ListedProblem{"g2_directions", &g2_directions},
+    ListedProblem{"fresnel_dielectric", &fresnel_dielectric},
+    ListedProblem{"fresnel_conductor", &fresnel_conductor},
+    ListedProblem{"brdf_ggx", &brdf_ggx},
+    ListedProblem{"sample_beckmann", &sample_beckmann},
+    ListedProblem{"albedo_ggx", &albedo_ggx},
+    ListedProblem{"albedo_ggx_a", &albedo_ggx_a},
+    ListedProblem{"albedo_ggx_b", &albedo_ggx_b},
+    ListedProblem{"albedo_oren_nayar", &albedo_oren_nayar},
+    ListedProblem{"alpha_o", &alpha_o},
+    ListedProblem{"angle_from_cosine", &angle_from_cosine},
+    ListedProblem{"d_beckmann", &d_beckmann},
+    ListedProblem{"d_ggx", &d_ggx},
+    ListedProblem{"d_gtr", &d_gtr},
+    ListedProblem{"half_vector", &half_vector},
+    ListedProblem{"narrow_peak", &narrow_peak},
+    ListedProblem{"weak_furnace", &weak_furnace},
+};
+
+std::vector<std::string> problem_names();
+
+/// The problem of this name, which is one of problem_names(); else nothing.
+std::optional<Problem> make_problem(const std::string& name);
 
 } // namespace brdfplot::choice
