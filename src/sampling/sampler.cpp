@@ -124,11 +124,16 @@ Strategy default_strategy(const WeightedTerm& term) {
   return visible && by_lambda ? Strategy::visible_normals : Strategy::half_vector;
 }
 
-Sampler::Sampler(const Material& material, const std::string& strategy, const std::string& where)
-    : map_(material.mesosurface()), mean_normal_(normalized({-map_.mean_x, -map_.mean_y, 1})) {
+void require_strategy(const Material& material, const std::string& strategy, const std::string& where) {
   const std::vector<std::string> names = strategy_names();
   if (std::ranges::find(names, strategy) == names.end())
     throw InputError(where, unknown_name("strategy", strategy, names));
+  for (const WeightedTerm& term : material.terms) strategy_of(material, term, strategy);
+}
+
+Sampler::Sampler(const Material& material, const std::string& strategy, const std::string& where)
+    : map_(material.mesosurface()), mean_normal_(normalized({-map_.mean_x, -map_.mean_y, 1})) {
+  require_strategy(material, strategy, where);
   for (const WeightedTerm& term : material.terms) {
     const Strategy by = strategy_of(material, term, strategy);
     const bool mirrors = by != Strategy::cosine && is_about_half_vector(term);

@@ -39,6 +39,9 @@ std::vector<Strategy> strategies_of(const WeightedTerm& term);
 /// `visible_normals` for mirrors with a Lambda, else `half_vector` for what is about it, else `cosine`.
 Strategy default_strategy(const WeightedTerm& term);
 
+/// What Sampler requires of `strategy`, without making its tables. \throws InputError as Sampler does.
+void require_strategy(const Material& material, const std::string& strategy, const std::string& where = "--strategy");
+
 /// Draws directions omega_i for a material, each a function of a point in [0, 1)^3 alone, without rejection.
 ///
 /// A sum of terms is drawn from by the one-sample model (Veach 1997, section 9.2.4): a term is chosen, and the density

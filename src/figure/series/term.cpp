@@ -73,7 +73,7 @@ void TermFunction::require_all(const MaterialDescription& description, const Mat
   if ((integral_ || sampled_) && !directions.o) throw InputError("", "this quantity needs theta_o");
   if (sampled_ == SampledQuantity::pdf && !directions.i) throw InputError("", "this quantity needs theta_i");
   if (sampled_)
-    Sampler(material, fixed().strategy()); // has an error for a strategy that a term has not
+    require_strategy(material, fixed().strategy());
   else if (quantity_)
     require(material, info_of(*quantity_), directions.o.has_value(), directions.i.has_value(), directions.m.has_value(),
             term_);
