@@ -78,6 +78,23 @@ private:
   Material full_, simple_;
 };
 
+/// The worst of a coarse grid over the hemisphere.
+std::vector<Angles> worst_of_grid(const Pair& pair, std::size_t count) {
+  constexpr double step = std::numbers::pi / 12;
+  std::vector<std::pair<double, Angles>> all;
+  for (int o = 0; o <= 5; ++o)
+    for (int i = 0; i <= 5; ++i)
+      for (int phi_o = 0; phi_o < 6; phi_o += 3)
+        for (int difference = 0; difference <= 12; difference += 3) {
+          const Angles at = {(o + 0.5) * step, phi_o * step, (i + 0.5) * step, (phi_o + difference) * step};
+          all.emplace_back(pair.difference(at), at);
+        }
+  std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Angles> out;
+  for (std::size_t k = 0; k < count; ++k) out.push_back(all[k].second);
+  return out;
+}
+
 /// The directions at a place, of the light that differs most there.
 Angles start_of(const AdviceScene& scene, const Pair& pair, const sphere::Place& place) {
   Angles best{};
@@ -113,6 +130,8 @@ std::vector<Break> breaks_of(const AdviceScene& scene, const MaterialAdvice& adv
     if (factor != 1 && (has_tables(full) || has_tables(simple))) continue; // NOLINT(clang-diagnostic-float-equal)
     const Pair pair(scene, with_roughness(full, factor), with_roughness(simple, factor));
     out.push_back(pair.climbed(start_of(scene, pair, worst), factor));
+    for (const Angles& start : worst_of_grid(pair, 3))
+      if (const Break other = pair.climbed(start, factor); other.difference > out.back().difference) out.back() = other;
   }
   return out;
 }

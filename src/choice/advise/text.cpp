@@ -149,7 +149,8 @@ private:
                    short_number(e.finer->next_cheaper));
     if (e.single)
       line("single", "in single precision, which is what a shader has, the answer is off by " +
-                         short_number(e.single->decisive()));
+                         short_number(e.single->decisive()) + " at " + std::to_string(advice_.places) +
+                         " places (in double " + short_number(model(*advice_.answer).errors.decisive()) + ")");
     breaks(e);
     if (e.walk)
       line("walk", "the material in full has " + with_error(e.walk->light) +
