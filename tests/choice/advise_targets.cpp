@@ -88,7 +88,8 @@ TEST_CASE("single precision is good where no formula cancels, and bad in a narro
   for (const char* fresnel : {"none", "schlick", "dielectric", "conductor"})
     for (const char* distribution : {"ggx", "beckmann"})
       CHECK(largest_rounding(mirror(distribution, 0.3, fresnel), 1.2) < 2e-5);
-  CHECK(largest_rounding(mirror("sheen", 0.5), 1.2) < 1e-5);
+  // The sheen's 1 - z^2 loses digits about the normal, where it vanishes: half vectors here come within 0.01 of it.
+  CHECK(largest_rounding(mirror("sheen", 0.5), 1.2) < 1e-3);
   // 1 - z^2 has an absolute error of 2^-24 or so, over alpha^2 = 1e-6: some percent of D.
   CHECK(largest_rounding(mirror("ggx", 1e-3), 2e-3) > 0.02);
   // As sums of squares nothing cancels.

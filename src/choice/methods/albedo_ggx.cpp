@@ -93,7 +93,7 @@ struct UnrealAlbedo {
 
 /// Lazarov's for Call of Duty: Black Ops II (2013), made for Blinn's lobe of the exponent 8192^g, of which alpha^2 =
 /// 2 / (exponent + 2), and another G: B = g min(0.475 g, 2^(-9.28 c)) / 0.96 + (0.0175 g - 0.015) / 0.96,
-/// A + B = (g + 3) / 4.
+/// A + B = (g + 3) / 4. Below alpha = 0.0156 g is above 1, beyond what it was made for.
 struct LazarovAlbedo {
   Scale90 scale;
 
