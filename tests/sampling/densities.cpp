@@ -68,11 +68,13 @@ TEST_CASE("the density of a pair is the same in whatever batch it is") {
   const MaterialDescription sum("sum", {general("ggx", 0.1, 0.4, 0.3), of_type("lambert")}, true);
   const TermDescription mixed = mixture({{0.7, test::distribution("ggx", {{"alpha", 0.1}}).distribution},
                                          {0.3, test::distribution("beckmann", {{"alpha", 0.6}}).distribution}});
+  TermDescription eon = of_type("eon");
+  eon.values.set("roughness", 0.6);
   const std::pair<Material, const char*> all[] = {{material("beckmann", 0.3), "visible_normals"},
                                                   {material("ggx", 0.3), "heitz_2018"},
                                                   {material("sheen", 0.5), "half_vector"},
                                                   {build(mixed), "visible_normals"},
-                                                  {build(of_type("eon")), "eon"},
+                                                  {build(eon), "eon"},
                                                   {build(sum), "default"},
                                                   {build(coupled()), "kelemen"}};
   for (const auto& one : all) {
