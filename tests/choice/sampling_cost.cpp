@@ -64,20 +64,21 @@ TEST_CASE("directions that are mirrored at stretched slopes are the program's") 
   }
 }
 
-TEST_CASE("a sample costs more than the BRDF, most where Beckmann's visible normals are found by steps") {
+TEST_CASE("a sample costs more than the BRDF, the more the better its strategy, and most where Newton finds Beckmann's "
+          "slopes") {
   const auto cost = [](const std::string& type, const std::string& strategy) {
     return choice::cost(choice::sampling_operations(describe(type, 0.5), strategy));
   };
   const choice::ShaderOperations brdf = choice::shader_operations(describe("ggx", 0.5));
   const double of_brdf = choice::cost(brdf.view) + choice::cost(brdf.light);
+  double cheaper = of_brdf;
   for (const auto* strategy : {"cosine", "half_vector", "visible_normals", "heitz_2018"}) {
     CAPTURE(strategy);
-    CHECK(cost("ggx", strategy) > of_brdf);
-    CHECK(cost("ggx", strategy) < 3 * of_brdf);
+    CHECK(cost("ggx", strategy) > cheaper);
+    cheaper = cost("ggx", strategy);
   }
   CHECK(cost("ggx", "default") == cost("ggx", "visible_normals"));
-  CHECK(cost("ggx", "cosine") < cost("ggx", "visible_normals"));
-  CHECK(cost("beckmann", "visible_normals") > cost("beckmann", "half_vector") + 300);
+  CHECK(cost("beckmann", "visible_normals") > 2 * cost("beckmann", "half_vector"));
   CHECK_THROWS_WITH_AS(cost("velvet", "visible_normals"), doctest::Contains("mirror of ggx or beckmann"), InputError);
   CHECK_THROWS_AS(cost("beckmann", "heitz_2018"), InputError);
 }
