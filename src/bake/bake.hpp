@@ -11,7 +11,7 @@ namespace brdfplot::bake {
 
 struct BakeOptions {
   /// What the bound may be: nodes are doubled, in the axis that is off most, until it is met. None: axes as they are.
-  std::optional<double> error;
+  std::optional<double> error{};
   double tolerance = 1e-6; ///< of each value
   int threads = 1;
 };

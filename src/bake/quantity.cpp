@@ -135,7 +135,7 @@ std::vector<double> Baked::at(const std::vector<double>& values) const {
   const std::size_t count = channels_.size();
   if (is_mean(quantity_)) {
     const auto albedo = [&](const Direction& omega) {
-      return compute_channels(integral, material, omega, tolerance_ / 4);
+      return compute_channels(integral, material, omega, tolerance_ / 100); // noise would look like a kink
     };
     const AlbedoTable table(count, is_isotropic(material), albedo, tolerance_ / 2);
     if (!(table.error() <= tolerance_))
