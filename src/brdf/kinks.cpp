@@ -96,6 +96,11 @@ std::vector<SlopeMap> masked_slopes(const Distribution& distribution) {
       distribution);
 }
 
+/// Whether the slopes of every component are.
+bool is_centred(const Distribution& distribution) {
+  return std::ranges::all_of(components(distribution), [](const Component& one) { return one.frame.centred(); });
+}
+
 /// The kinks of the masking of the viewer, in the normal.
 std::vector<Switch> viewer_masking_kinks(const Microsurface& surface, const Direction& o) {
   std::vector<Switch> all;
@@ -167,11 +172,11 @@ std::vector<Switch> masking_kinks(const Microsurface& surface, const Direction& 
 }
 
 bool has_masking_line(const Microsurface& surface) {
-  return std::visit(
-      [](const auto& m) {
-        return requires { m.kink_is_line; };
-      },
-      surface.masking);
+  return has_one_mesosurface(surface.distribution) && std::visit(
+                                                          [](const auto& m) {
+                                                            return requires { m.kink_is_line; };
+                                                          },
+                                                          surface.masking);
 }
 
 HalfVectorKinks kinks(const Microsurface& surface, const Fresnel& fresnel, const Direction& omega_o,
@@ -191,7 +196,7 @@ HalfVectorKinks kinks(const Microsurface& surface, const Fresnel& fresnel, const
   // The azimuth of the light turns around where it is at the normal: a corner for rectangles, on one of their edges.
   if (out.in_plane_of_incidence && o.x * o.x + o.y * o.y > 0)
     all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.x + o.y * i.y; }));
-  if (out.in_plane_of_incidence && !map.centred())
+  if (out.in_plane_of_incidence && !is_centred(surface.distribution))
     all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.y - o.y * i.x; }));
   return out;
 }

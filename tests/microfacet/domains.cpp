@@ -49,6 +49,11 @@ TermDescription draw(const ModelSpec& spec, Random& random) {
     if (alternative && std::ranges::find(group, parameter.key) == group.end()) continue;
     Value value = std::string("exp(-t2)");
     if (parameter.kind == ParameterKind::number) value = draw(parameter.bounds, random);
+    if (parameter.kind == ParameterKind::boolean) continue;
+    if (parameter.kind == ParameterKind::vec3) { // moments that go together
+      const double xx = std::pow(10, 6 * random.uniform() - 6), yy = xx * std::pow(10, 2 * random.uniform() - 1);
+      value = Rgb{xx, yy, (2 * random.uniform() - 1) * std::sqrt(xx * yy)};
+    }
     if (parameter.kind == ParameterKind::vec2)
       value =
           random.uniform() < 0.5 ? Vec2{0, 0} : Vec2{draw(parameter.bounds, random), draw(parameter.bounds, random)};

@@ -170,6 +170,7 @@ MaterialDescription Configuration::transformed(const Material& material) const {
   const SlopeMap& map = surface.slopes();
   set_parameter(term, "alpha_x", map.alpha_x / stretch_[0]);
   set_parameter(term, "alpha_y", map.alpha_y / stretch_[1]);
+  term.distribution.values.set("correlation", map.correlation);
   term.distribution.values.set("mean_slope",
                                Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
   return description;
