@@ -171,12 +171,23 @@ void DielectricFresnel::reflectances(const double* c, std::size_t channel, doubl
   kernels::reflectance_dielectric(c, eta[channel], f, n);
 }
 
+namespace {
+
+/// eta^2 - (1 - c^2), without the cancellation of eta near 1, or of c near 1 where eta is small.
+double refracted_cosine2(double eta, double c) {
+  if (eta >= 1) return (eta - 1) * (eta + 1) + c * c;
+  const double s = std::sqrt((1 - c) * (1 + c));
+  return (eta - s) * (eta + s);
+}
+
+} // namespace
+
 /// 2 c g (1 / (c + g)^2 + eta^2 / (eta^2 c + g)^2), g^2 = eta^2 - 1 + c^2: what both polarisations refract. 0 where g^2
 /// is negative.
 void DielectricFresnel::losses(const double* c, std::size_t channel, double* left, std::size_t n) const {
-  const double index = eta[channel], index2 = index * index, beyond = (index - 1) * (index + 1);
+  const double index = eta[channel], index2 = index * index;
   for (std::size_t k = 0; k < n; ++k) {
-    const double g = std::sqrt(std::max(0.0, beyond + c[k] * c[k]));
+    const double g = std::sqrt(std::max(0.0, refracted_cosine2(index, c[k])));
     const double s = c[k] + g, p = index2 * c[k] + g;
     left[k] = g > 0 ? 2 * c[k] * g * (1 / (s * s) + index2 / (p * p)) : 0;
   }
@@ -221,7 +232,7 @@ void ConductorFresnel::losses(const double* c, std::size_t channel, double* left
   const double index = eta[channel], absorbed = k[channel];
   for (std::size_t at = 0; at < n; ++at) {
     const double cosine = c[at], s2 = (1 - cosine) * (1 + cosine), product = index * absorbed;
-    const double real = (index - absorbed) * (index + absorbed) - s2;
+    const double real = refracted_cosine2(index, cosine) - absorbed * absorbed;
     const double larger = std::sqrt(0.5 * (std::hypot(real, 2 * product) + std::fabs(real)));
     const double smaller = larger > 0 ? product / larger : 0;
     const double a = real > 0 ? larger : smaller, b = real > 0 ? smaller : larger;

@@ -207,8 +207,7 @@ RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
   const auto parts = components(one.material.surface().distribution);
   const auto* dielectric = std::get_if<DielectricFresnel>(one.material.terms[0].fresnel());
   const bool critical = one.integral == Integral::albedo && dielectric != nullptr && dielectric->eta[0] < 1;
-  const bool tilted = !has_one_mesosurface(one.material.surface().distribution);
-  const int panels = critical || tilted || of_tolerance < 1 ? 6 : 1;
+  const int panels = critical || of_tolerance < 1 ? 6 : 1;
   RayIntegral sum;
   for (const Component& component : parts) {
     const RayIntegral part =

@@ -180,7 +180,7 @@ Fresnel made(const Value17& of) {
 
 TEST_CASE("losses: 1 - F to a few roundings of itself, wherever F is") {
   for (const Value17& one : values) {
-    INFO(one.type << " " << one.p << " " << one.q << " " << one.r << " at " << one.c);
+    INFO(std::string(one.type) << " " << one.p << " " << one.q << " " << one.r << " at " << one.c);
     std::visit(
         [&](const auto& fresnel) {
           double left = -1, f = -1;
@@ -188,8 +188,8 @@ TEST_CASE("losses: 1 - F to a few roundings of itself, wherever F is") {
           fresnel.reflectances(&one.c, 1, &f, 1);
           if (one.left == 0)
             CHECK(left == 0);
-          else
-            CHECK(relative(left, one.left) < 4e-15);
+          else // a power has the roundings of its logarithm times itself
+            CHECK(relative(left, one.left) < 4e-15 * (1 + 0.01 * one.r));
           CHECK(std::fabs((1 - left) - f) < 1e-15);
         },
         made(one));

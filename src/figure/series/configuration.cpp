@@ -125,10 +125,20 @@ std::optional<double> Configuration::angle(const std::string& variable) const {
   return angle_.at(static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin()));
 }
 
-Vec2 Configuration::mean_slope() const {
-  for (const TermDescription& term : material_.terms)
-    if (term.distribution.values.has("mean_slope")) return term.distribution.values.vec2("mean_slope");
-  return {0, 0};
+std::vector<Vec2> Configuration::mean_slopes() const {
+  std::vector<Vec2> all;
+  const auto add = [&](const Values& values) {
+    const Vec2 mean = values.has("mean_slope") ? values.vec2("mean_slope") : Vec2{0, 0};
+    if (std::ranges::find(all, mean) == all.end()) all.push_back(mean);
+  };
+  for (const TermDescription& term : material_.terms) {
+    const Values& values = term.distribution.values;
+    if (!values.has("components"))
+      add(values);
+    else
+      for (const WeightedChoice& part : values.components("components")) add(part.model.values);
+  }
+  return all;
 }
 
 std::optional<Direction> Configuration::direction(std::size_t which) const {
