@@ -173,9 +173,9 @@ void DielectricFresnel::reflectances(const double* c, std::size_t channel, doubl
 
 namespace {
 
-/// eta^2 - (1 - c^2), without the cancellation of eta near 1, or of c near 1 where eta is small.
+/// eta^2 - (1 - c^2), where eta and 1 are close at grazing, and 1 and c are at the normal, by their differences.
 double refracted_cosine2(double eta, double c) {
-  if (eta >= 1) return (eta - 1) * (eta + 1) + c * c;
+  if (c * c < 0.5) return (eta - 1) * (eta + 1) + c * c;
   const double s = std::sqrt((1 - c) * (1 + c));
   return (eta - s) * (eta + s);
 }
