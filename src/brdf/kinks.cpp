@@ -115,9 +115,20 @@ std::vector<Switch> viewer_masking_kinks(const Microsurface& surface, const Dire
   return all;
 }
 
+/// The horizons of the parts of a mixture that lie on mesosurfaces of their own. Through them Smith's masked area is
+/// smooth, and that of an approximation, which goes on by Lambda(-a) = -1 - Lambda(a), bends.
+std::vector<Switch> horizons_of_parts(const Microsurface& surface, const Direction& o) {
+  std::vector<Switch> all;
+  if (!surface.has_lambda() || std::holds_alternative<Smith>(surface.masking)) return all;
+  if (has_one_mesosurface(surface.distribution)) return all;
+  for (const SlopeMap& map : masked_slopes(surface.distribution))
+    all.push_back(switch_of(o, [map](const Direction&, const Direction& i) { return map.project(i).c; }));
+  return all;
+}
+
 /// The kinks of the masking of the light, in the half vector.
 std::vector<Switch> light_masking_kinks(const Microsurface& surface, const Direction& o) {
-  std::vector<Switch> all;
+  std::vector<Switch> all = horizons_of_parts(surface, o);
   std::visit(
       [&]<class M>(const M&) {
         if constexpr (requires(const Projection& p) { M::kink(p); }) {
