@@ -5,6 +5,7 @@
 #include "brdf/viewer_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace brdfplot {
@@ -132,9 +133,11 @@ std::vector<Switch> light_masking_kinks(const Microsurface& surface, const Direc
   std::visit(
       [&]<class M>(const M&) {
         if constexpr (requires(const Projection& p) { M::kink(p); }) {
-          for (const SlopeMap& map : masked_slopes(surface.distribution))
-            all.push_back(
-                switch_of(o, [map](const Direction&, const Direction& i) { return M::kink(map.project(i)); }));
+          for (const SlopeMap& map : masked_slopes(surface.distribution)) // of a part also from below
+            all.push_back(switch_of(o, [map](const Direction&, const Direction& i) {
+              const Projection p = map.project(i);
+              return M::kink({std::fabs(p.c), p.s});
+            }));
         } else if constexpr (requires(const Projection& p) { M::kink(p, 1.0, 1.0); }) {
           all.push_back(switch_of(o, [o, &map = surface.slopes()](const Direction& h, const Direction& i) {
             return M::kink(map.project(i), dot(o, h), h.z);
