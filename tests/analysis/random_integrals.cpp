@@ -214,7 +214,7 @@ TEST_CASE("random integrals agree with an independent rule, or are refused, whic
 }
 
 TEST_CASE("random integrals of parts on several mesosurfaces agree with an independent rule, or are refused") {
-  require_right(tally_of(first_number(), std::max<std::uint64_t>(count_of_numbers() / 5, 1), [](std::uint64_t number) {
+  require_right(tally_of(first_number(), std::max<std::uint64_t>(count_of_numbers() / 30, 1), [](std::uint64_t number) {
     const auto one = random_tilted_case(number);
     if (!one) return Tally{};
     say(one->text);
