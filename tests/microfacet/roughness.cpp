@@ -54,6 +54,8 @@ TEST_CASE("mean_normal_length: Toksvig's exponent, and alpha by n = 2 / alpha^2 
               doctest::Approx(std::sqrt(2 / (expected + 2))).epsilon(1e-13));
     }
   CHECK(alpha_of(with("ggx", {{"alpha", 1.0}, {"mean_normal_length", 0.3}})) == 1);
+  CHECK_THROWS_WITH(build(with("phong", {{"exponent", -0.5}, {"mean_normal_length", 0.5}})),
+                    doctest::Contains("/distribution/exponent: found -0.5, accepted beside \"mean_normal_length\""));
   CHECK_THROWS_WITH(build(with("ggx", {{"alpha", 1.5}, {"mean_normal_length", 0.5}})),
                     doctest::Contains("/distribution/alpha: found 1.5, accepted beside \"mean_normal_length\""));
 }
