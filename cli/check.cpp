@@ -144,6 +144,7 @@ std::string head(Property property) {
   case Property::eq36: return "Eq. 36";
   case Property::eq37: return "Eq. 37";
   case Property::normalized: return "D";
+  case Property::eq9_22: return "9.22";
   case Property::g1_range: return "G1";
   case Property::g1_decreasing: return "G1'";
   case Property::g1_normal: return "G1(0)";

@@ -79,6 +79,7 @@ std::string accepted(const ParameterSpec& parameter) {
   case ParameterKind::number: return parameter.bounds.describe();
   case ParameterKind::number_or_rgb: return parameter.bounds.describe() + ", or [r, g, b] of such";
   case ParameterKind::vec2: return "[x, y], each " + parameter.bounds.describe();
+  case ParameterKind::vec3: return "[x, y, z], each " + parameter.bounds.describe();
   case ParameterKind::boolean: return "true | false";
   case ParameterKind::choice: return joined(parameter.choices, " | ");
   case ParameterKind::text: return "a text";

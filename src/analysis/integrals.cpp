@@ -4,6 +4,7 @@
 #include "analysis/mean_reflectance.hpp"
 #include "base/number.hpp"
 #include "brdf/component_sum.hpp"
+#include "brdf/fresnel_term.hpp"
 #include "brdf/kinks.hpp"
 #include "brdf/reflected_light.hpp"
 #include "brdf/viewer_rows.hpp"
@@ -166,10 +167,6 @@ bool is_of_surface(Integral integral) {
          integral == Integral::weak_furnace || integral == Integral::weak_furnace_grid;
 }
 
-bool is_of_fresnel(Integral integral) {
-  return integral == Integral::mean_fresnel || integral == Integral::average_fresnel;
-}
-
 /// The term with a microsurface and a Fresnel term.
 const WeightedTerm& mirror_term(const Material& material, const std::string& name) {
   const WeightedTerm& term = material.term_with_surface(name);
@@ -242,8 +239,10 @@ const std::vector<IntegralInfo>& integrals() {
 void require(const Material& material, const IntegralInfo& info, const std::string& term) {
   if (is_of_surface(info.integral))
     (void)material.surface(term);
-  else if (is_of_fresnel(info.integral))
+  else if (info.integral == Integral::mean_fresnel)
     (void)mirror_term(material, term);
+  else if (info.integral == Integral::average_fresnel)
+    (void)term_with_fresnel(material, term);
   else if (info.integral == Integral::furnace)
     (void)furnace_term(material, term);
   else
@@ -279,7 +278,7 @@ Estimate compute_in_plane(Integral integral, const Material& material, const Dir
     return reflected_light(terms_of(material, term), omega_o, tolerance, {c, 1}, every_direction).channel(0);
   case Integral::mean_theta_i: return mean_theta_i(terms_of(material, term), omega_o, tolerance, c);
   case Integral::mean_fresnel: return mean_visible_reflectance(mirror_term(material, term), omega_o, tolerance, c);
-  case Integral::average_fresnel: return {mean_fresnel(*mirror_term(material, term).fresnel(), c), 1e-12, 0};
+  case Integral::average_fresnel: return {mean_fresnel(*term_with_fresnel(material, term).fresnel(), c), 1e-12, 0};
   case Integral::brdf_peak_theta_i:
     return peak_theta_i(material, Quantity::brdf, omega_o, narrowest_width(material), channel);
   default: return peak_theta_i(material, Quantity::brdf_cos, omega_o, narrowest_width(material), channel);

@@ -70,6 +70,8 @@ const std::vector<PropertyInfo>& properties() {
       {Property::eq36, "eq36", "Eq. 36", "|weak white furnace of specular facets - 1|"},
       {Property::eq37, "eq37", "Eq. 37", "|weak white furnace of diffuse facets - 1|"},
       {Property::normalized, "normalized", "D normalized", "|integral of D cos theta_m - 1|"},
+      {Property::eq9_22, "eq9_22", "RTR Eq. 9.22",
+       "|integral of D (o.m), unclamped, - o.g| at most over o [Akenine-Moller et al. 2018, Eq. 9.22]"},
       {Property::g1_range, "g1_range", "G1 in [0, 1]", "how far G1 is outside"},
       {Property::g1_decreasing, "g1_decreasing", "G1 decreasing", "how much G1 grows in a step of theta_o"},
       {Property::g1_normal, "g1_normal", "G1 = 1 at normal", "|G1 - 1| at the normal"},
@@ -127,7 +129,8 @@ Residual measure(Property property, const std::vector<MaterialDescription>& fami
     }
   }
   Residual residual = worst.residual();
-  if (residual.verdict == Verdict::not_applicable) residual.reason = "not shape-invariant";
+  if (residual.verdict == Verdict::not_applicable)
+    residual.reason = property == Property::eq9_22 ? "the mean slope is infinite" : "not shape-invariant";
   return residual;
 }
 

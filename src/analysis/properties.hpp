@@ -18,6 +18,7 @@ enum class Property {
   eq36,               ///< weak white furnace, specular facets
   eq37,               ///< weak white furnace, diffuse facets
   normalized,         ///< int (m.g) D dm = 1 (Eq. 9)
+  eq9_22,             ///< int D <o,m> dm over all normals, those that face away counted negative, is c_o: a heightfield
   g1_range,           ///< 0 <= G1 <= 1
   g1_decreasing,      ///< G1 does not grow with theta_o
   g1_normal,          ///< G1 -> 1 at the normal

@@ -149,6 +149,7 @@ Microsurface stretched(const PropertySubject& subject, double x, double y) {
   TermDescription description = *std::ranges::find_if(subject.description.terms, with_surface);
   set_parameter(description, "alpha_x", map.alpha_x / x);
   set_parameter(description, "alpha_y", map.alpha_y / y);
+  description.distribution.values.set("correlation", map.correlation);
   description.distribution.values.set("mean_slope", Vec2{map.mean_x / x, map.mean_y / y});
   return build_microsurface(description);
 }
@@ -171,6 +172,21 @@ void test_stretching(const PropertySubject& subject, WorstResidual& worst) {
       }
     });
   }
+}
+
+/// The left side of Eq. 9.22 is o.v with v = int D m dm: linear in o, so that the largest difference is |v - g|, g the
+/// normal of the mesosurface with g_z = 1, at the o along it.
+void test_projection(const PropertySubject& subject, const PropertySearch& search, WorstResidual& worst) {
+  if (has_infinite_mean_slope(subject.surface->distribution)) return;
+  const SlopeMap& map = subject.surface->slopes();
+  const std::array<double, 3> expected = {-map.mean_x, -map.mean_y, 1};
+  double residual = 0, error = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Estimate e = sum_of_normals(*subject.surface, axis, 0.003 * search.tolerance);
+    residual = std::hypot(residual, e.value - expected[axis]);
+    error += e.error;
+  }
+  worst.take(residual, error, 0, 0);
 }
 
 void test_reciprocity(const PropertySubject& subject, WorstResidual& worst) {
@@ -221,10 +237,12 @@ Residual WorstResidual::residual() const {
 
 PropertySubject::PropertySubject(const MaterialDescription& from) : description(from), material(build(from)) {
   std::size_t surfaces = 0;
-  bool formula = false, round = true;
+  bool formula = false, round = true, half_turn = material.mesosurface().centred();
   for (const WeightedTerm& term : material.terms) {
     round = round && term.is_isotropic();
     const Microsurface* own = term.surface();
+    const Distribution* facets = own == nullptr ? term.facets() : &own->distribution;
+    half_turn = half_turn && (facets == nullptr || has_one_mesosurface(*facets));
     if (own == nullptr) continue;
     ++surfaces;
     surface = own;
@@ -232,7 +250,7 @@ PropertySubject::PropertySubject(const MaterialDescription& from) : description(
   }
   if (surfaces > 1) surface = nullptr;
   // Without a Lambda, G1 depends on the azimuth between viewer and normal, but the integrals do not on the viewer's.
-  const int count = round ? 1 : material.mesosurface().centred() && !formula ? 6 : 12;
+  const int count = round ? 1 : half_turn && !formula ? 6 : 12;
   for (int k = 0; k < count; ++k) azimuths.push_back(30 * degree * k);
 }
 
@@ -253,6 +271,7 @@ void test_property(Property property, const PropertySubject& subject, const Prop
     const Estimate e = ground_area(*subject.surface, 0.01 * search.tolerance);
     return worst.take(std::fabs(e.value - 1), e.error, 0, 0);
   }
+  case Property::eq9_22: return test_projection(subject, search, worst);
   case Property::g1_range:
   case Property::g1_decreasing: return test_g1(property, subject, worst);
   case Property::g1_normal: return test_g1_at_normal(subject, worst);

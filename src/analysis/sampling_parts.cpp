@@ -106,14 +106,14 @@ Estimate SamplingPart::integral(const LightDensity& f, double tolerance) const {
   if (lobe_.facets == nullptr) return over_hemisphere(f, tolerance);
   // All facets face the vertical; those that are drawn as they are seen face the viewer.
   const bool seen = draws_visible(lobe_.strategy);
-  const SlopeFrame frame(component()->frame, seen ? omega_o_ : Direction{0, 0, 1});
+  const SlopeFrame frame(component()->frame, seen ? omega_o_ : Direction{0, 0, 1}, component()->mesosurface);
   return integrate_facing(frame, {over_normals(f), {}, false, false}, tolerance);
 }
 
 Estimate SamplingPart::lit_integral(const LightDensity& f, double tolerance) const {
   if (lobe_.facets == nullptr) return over_hemisphere(f, tolerance);
-  return integrate_lit(SlopeFrame(component()->frame, omega_o_), {over_normals(f), 1, {}, false, false}, tolerance)
-      .channel(0);
+  const SlopeFrame frame(component()->frame, omega_o_, component()->mesosurface);
+  return integrate_lit(frame, {over_normals(f), 1, {}, false, false}, tolerance).channel(0);
 }
 
 std::size_t SamplingPart::cell_count() const { return (edges_.size() - 1) * sectors; }

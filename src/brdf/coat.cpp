@@ -115,16 +115,19 @@ void Coat::attenuate(const Columns& o, const Columns& i, std::size_t n, int chan
 
 void Coat::attenuate_by_fresnel(const Columns& o, const Columns& i, std::size_t n, std::size_t channel,
                                 double* factor) const {
-  std::vector<double> f(n);
+  std::vector<double> left(n);
+  const double w = weight_.value[channel];
   const auto take = [&](const std::vector<double>& c) {
-    std::visit([&](const auto& term) { term.reflectances(c.data(), channel, f.data(), n); }, fresnel_);
-    for (std::size_t k = 0; k < n; ++k) factor[k] *= 1 - weight_.value[channel] * f[k];
+    std::visit([&](const auto& term) { term.losses(c.data(), channel, left.data(), n); }, fresnel_);
+    for (std::size_t k = 0; k < n; ++k) factor[k] *= (1 - w) + w * left[k];
   };
   const auto of_normal = [&](const Direction& d) { return cosine(d); };
   if (attenuation_ == "half_vector") {
     std::vector<double> c(n);
-    // 2 (o.h)^2 = 1 + o.i
-    for (std::size_t k = 0; k < n; ++k) c[k] = std::sqrt(std::clamp(0.5 * (1 + dot(o[k], i[k])), 0.0, 1.0));
+    for (std::size_t k = 0; k < n; ++k) {
+      const Direction sum = o[k] + i[k]; // of length 2 (o.h)
+      c[k] = std::min(1.0, 0.5 * std::sqrt(dot(sum, sum)));
+    }
     return take(c);
   }
   take(cosines(o, n, of_normal));

@@ -30,8 +30,8 @@ struct Material;
 /// coat, sqrt(1 - (1 - c^2) / eta^2) (Beer and Lambert); it asks for a dielectric coat, whose eta is the index within.
 ///
 /// Terms beneath are evaluated at the directions outside: refraction narrows no lobe, and light is not reflected
-/// between the two. Absolute error of the factor below 1e-14, with `albedo` 1e-8: what is left near grazing, where F
-/// nears 1, has fewer digits.
+/// between the two. Relative error of the factor below 1e-14, also near grazing, where F nears 1: 1 - w F is
+/// (1 - w) + w (1 - F), and 1 - F what is refracted or absorbed. With `albedo`, absolute error 1e-8.
 class Coat {
 public:
   /// Its parameters: attenuation and tint.

@@ -12,9 +12,10 @@ template <class Function>
 auto sum_over_components(const Distribution& distribution, const Direction& omega_o, double tolerance,
                          const Function& integral) {
   const auto parts = components(distribution);
-  decltype(integral(parts[0], SlopeFrame(parts[0].frame, omega_o), tolerance)) sum;
+  const double of_part = tolerance / static_cast<double>(parts.size());
+  decltype(integral(parts[0], SlopeFrame(parts[0].frame, omega_o, parts[0].mesosurface), tolerance)) sum;
   for (const Component& component : parts)
-    sum.add(integral(component, SlopeFrame(component.frame, omega_o), tolerance / static_cast<double>(parts.size())));
+    sum.add(integral(component, SlopeFrame(component.frame, omega_o, component.mesosurface), of_part));
   return sum;
 }
 

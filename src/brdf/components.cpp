@@ -1,5 +1,7 @@
 #include "brdf/components.hpp"
 
+#include <algorithm>
+
 namespace brdfplot {
 
 double Component::density(const Direction& omega_m) const {
@@ -42,18 +44,23 @@ std::vector<Component> components(const Distribution& distribution) {
         if constexpr (requires { d.parts; }) {
           for (const auto& part : d.parts)
             for (const Component& one : std::visit([](const auto& of) { return components(of); }, part.distribution))
-              all.push_back({part.weight * one.weight, one.distribution, one.frame});
+              all.push_back({part.weight * one.weight, one.distribution, one.frame, {}});
         } else if constexpr (requires { d.profile.parts(); }) {
           for (const auto& [weight, profile] : d.profile.parts()) {
             const SlopeMap frame{.alpha_x = profile.width(), .alpha_y = profile.width()};
-            if (weight > 0) all.push_back({weight, D{frame, profile}, frame});
+            if (weight > 0) all.push_back({weight, D{frame, profile}, frame, {}});
           }
         } else {
-          all.push_back({1, d, frame_of(d)});
+          all.push_back({1, d, frame_of(d), {}});
         }
+        for (Component& one : all) one.mesosurface = {d.slopes.mean_x, d.slopes.mean_y};
         return all;
       },
       distribution);
+}
+
+bool has_one_mesosurface(const Distribution& distribution) {
+  return std::ranges::all_of(components(distribution), &Component::on_mesosurface);
 }
 
 } // namespace brdfplot

@@ -12,7 +12,10 @@ namespace brdfplot {
 struct Component {
   double weight = 1;
   Distribution distribution;
-  SlopeMap frame; ///< slopes about as wide as those of D_k
+  SlopeMap frame;     ///< slopes about as wide as those of D_k
+  Vec2 mesosurface{}; ///< slope of that of the whole, which may be another than the frame's
+
+  bool on_mesosurface() const { return frame.mean_x == mesosurface[0] && frame.mean_y == mesosurface[1]; }
 
   /// w_k D_k (1/sr).
   double density(const Direction& omega_m) const;
@@ -23,5 +26,8 @@ struct Component {
 /// that it has. An integral over the normals is to be taken over each of them in its own frame: each is narrow in one
 /// place only, which that frame knows, and no rule sees the peak of a smooth part from the frame of a rough one.
 std::vector<Component> components(const Distribution& distribution);
+
+/// Whether all components lie on the mesosurface of the whole.
+bool has_one_mesosurface(const Distribution& distribution);
 
 } // namespace brdfplot

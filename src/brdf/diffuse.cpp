@@ -68,7 +68,8 @@ Estimate integrate_density(const Microsurface& surface, std::span<const Directio
       for (std::size_t k = 0; k < m.size(); ++k)
         if (out[k] != 0) out[k] *= density[k];
     };
-    const Estimate one = integrate_over_facing(component.frame, directions, kinked, integrand, of_part);
+    const Estimate one =
+        integrate_over_facing(component.frame, component.mesosurface, directions, kinked, integrand, of_part);
     sum.value += one.value;
     sum.error += one.error;
     sum.evaluations += one.evaluations;
@@ -146,12 +147,14 @@ Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omeg
   return estimate;
 }
 
-Estimate ground_area(const Microsurface& surface, double tolerance) {
-  const auto cosine = [](const std::vector<Direction>& m, std::vector<double>& out) {
+Estimate ground_area(const Microsurface& surface, double tolerance) { return sum_of_normals(surface, 2, tolerance); }
+
+Estimate sum_of_normals(const Microsurface& surface, std::size_t axis, double tolerance) {
+  const auto component = [axis](const std::vector<Direction>& m, std::vector<double>& out) {
     out.resize(m.size());
-    for (std::size_t k = 0; k < m.size(); ++k) out[k] = m[k].z;
+    for (std::size_t k = 0; k < m.size(); ++k) out[k] = axis == 0 ? m[k].x : axis == 1 ? m[k].y : m[k].z;
   };
-  return integrate_density(surface, {}, false, cosine, {.absolute = tolerance});
+  return integrate_density(surface, {}, false, component, {.absolute = tolerance});
 }
 
 } // namespace brdfplot

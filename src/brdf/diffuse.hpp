@@ -6,6 +6,8 @@
 #include "math/quadrature.hpp"
 #include "microfacet/microsurface.hpp"
 
+#include <cstddef>
+
 namespace brdfplot {
 
 /// rho(o, i) = 1 / (pi c_o c_i) int <o,m> <i,m> G2(o, i, m) D(m) dm (Eq. 31, 1/sr): facets that are Lambertian with
@@ -22,5 +24,10 @@ Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omeg
 
 /// int (m.g) D(m) dm (Heitz 2014, Eq. 9): 1 for a distribution of normals. `tolerance` is absolute.
 Estimate ground_area(const Microsurface& surface, double tolerance);
+
+/// A component (0, 1 or 2) of int m D(m) dm, whose product with a direction is what all facets project to it, those
+/// that face away counted negative: the normal of the mesosurface, (-mean_x, -mean_y, 1), for a distribution of normals
+/// (Akenine-Moller et al. 2018, Eq. 9.22). `tolerance` is absolute. Domain: a finite mean slope.
+Estimate sum_of_normals(const Microsurface& surface, std::size_t axis, double tolerance);
 
 } // namespace brdfplot

@@ -1,5 +1,6 @@
 #include "brdf/evaluate.hpp"
 
+#include "brdf/fresnel_term.hpp"
 #include "brdf/surface_block.hpp"
 
 #include <algorithm>
@@ -9,12 +10,6 @@
 namespace brdfplot {
 
 namespace {
-
-const WeightedTerm& term_with_fresnel(const Material& material, const std::string& name) {
-  const WeightedTerm& term = material.term_with_surface(name);
-  if (term.fresnel() == nullptr) throw InputError(material.name, "the term \"" + term.name + "\" has no Fresnel term");
-  return term;
-}
 
 int channels_of_terms(const std::vector<const WeightedTerm*>& terms) {
   return std::ranges::any_of(terms, [](const auto* t) { return t->channels() > 1; }) ? 3 : 1;
@@ -75,8 +70,9 @@ public:
       require(material, info_of(one.quantity), bool(batch.o), bool(batch.i), bool(batch.m), one.term);
       Task task{one.quantity, one.out, channels_of(material, one.quantity, one.term), {}};
       const Owner owner = info_of(one.quantity).owner;
-      const auto terms = owner == Owner::material
-                             ? terms_of(material, one.term)
+      const auto terms = owner == Owner::material ? terms_of(material, one.term)
+                         : owner == Owner::fresnel
+                             ? std::vector<const WeightedTerm*>{&term_with_fresnel(material, one.term)}
                              : std::vector<const WeightedTerm*>{&material.term_with_surface(one.term)};
       for (const WeightedTerm* term : terms)
         task.terms.push_back(&blocks_[static_cast<std::size_t>(term - material.terms.data())]);

@@ -5,6 +5,7 @@
 #include "brdf/viewer_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace brdfplot {
@@ -96,6 +97,11 @@ std::vector<SlopeMap> masked_slopes(const Distribution& distribution) {
       distribution);
 }
 
+/// Whether the slopes of every component are.
+bool is_centred(const Distribution& distribution) {
+  return std::ranges::all_of(components(distribution), [](const Component& one) { return one.frame.centred(); });
+}
+
 /// The kinks of the masking of the viewer, in the normal.
 std::vector<Switch> viewer_masking_kinks(const Microsurface& surface, const Direction& o) {
   std::vector<Switch> all;
@@ -110,15 +116,28 @@ std::vector<Switch> viewer_masking_kinks(const Microsurface& surface, const Dire
   return all;
 }
 
+/// The horizons of the parts of a mixture that lie on mesosurfaces of their own. Through them Smith's masked area is
+/// smooth, and that of an approximation, which goes on by Lambda(-a) = -1 - Lambda(a), bends.
+std::vector<Switch> horizons_of_parts(const Microsurface& surface, const Direction& o) {
+  std::vector<Switch> all;
+  if (!surface.has_lambda() || std::holds_alternative<Smith>(surface.masking)) return all;
+  if (has_one_mesosurface(surface.distribution)) return all;
+  for (const SlopeMap& map : masked_slopes(surface.distribution))
+    all.push_back(switch_of(o, [map](const Direction&, const Direction& i) { return map.project(i).c; }));
+  return all;
+}
+
 /// The kinks of the masking of the light, in the half vector.
 std::vector<Switch> light_masking_kinks(const Microsurface& surface, const Direction& o) {
-  std::vector<Switch> all;
+  std::vector<Switch> all = horizons_of_parts(surface, o);
   std::visit(
       [&]<class M>(const M&) {
         if constexpr (requires(const Projection& p) { M::kink(p); }) {
-          for (const SlopeMap& map : masked_slopes(surface.distribution))
-            all.push_back(
-                switch_of(o, [map](const Direction&, const Direction& i) { return M::kink(map.project(i)); }));
+          for (const SlopeMap& map : masked_slopes(surface.distribution)) // of a part also from below
+            all.push_back(switch_of(o, [map](const Direction&, const Direction& i) {
+              const Projection p = map.project(i);
+              return M::kink({std::fabs(p.c), p.s});
+            }));
         } else if constexpr (requires(const Projection& p) { M::kink(p, 1.0, 1.0); }) {
           all.push_back(switch_of(o, [o, &map = surface.slopes()](const Direction& h, const Direction& i) {
             return M::kink(map.project(i), dot(o, h), h.z);
@@ -167,11 +186,11 @@ std::vector<Switch> masking_kinks(const Microsurface& surface, const Direction& 
 }
 
 bool has_masking_line(const Microsurface& surface) {
-  return std::visit(
-      [](const auto& m) {
-        return requires { m.kink_is_line; };
-      },
-      surface.masking);
+  return has_one_mesosurface(surface.distribution) && std::visit(
+                                                          [](const auto& m) {
+                                                            return requires { m.kink_is_line; };
+                                                          },
+                                                          surface.masking);
 }
 
 HalfVectorKinks kinks(const Microsurface& surface, const Fresnel& fresnel, const Direction& omega_o,
@@ -191,7 +210,7 @@ HalfVectorKinks kinks(const Microsurface& surface, const Fresnel& fresnel, const
   // The azimuth of the light turns around where it is at the normal: a corner for rectangles, on one of their edges.
   if (out.in_plane_of_incidence && o.x * o.x + o.y * o.y > 0)
     all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.x + o.y * i.y; }));
-  if (out.in_plane_of_incidence && !map.centred())
+  if (out.in_plane_of_incidence && !is_centred(surface.distribution))
     all.push_back(switch_of(o, [o](const Direction&, const Direction& i) { return o.x * i.y - o.y * i.x; }));
   return out;
 }

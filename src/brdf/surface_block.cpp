@@ -68,7 +68,9 @@ void mask_by(const D& distribution, const M& masking, const SurfaceBlock& block,
                        }) {
     masking.masked_areas(distribution, side.c.data(), side.s.data(), side.masked_area.data(), n);
   } else if constexpr (M::has_lambda) {
-    for (std::size_t k = 0; k < n; ++k) side.masked_area[k] = masking.masked_area({side.c[k], side.s[k]}, omega[k]);
+    // Seen from below Lambda(-a) = -1 - Lambda(a), as of the distributions.
+    for (std::size_t k = 0; k < n; ++k)
+      side.masked_area[k] = masking.masked_area({std::fabs(side.c[k]), side.s[k]}, omega[k]) + std::fmax(-side.c[k], 0);
   } else {
     for (std::size_t k = 0; k < n; ++k) {
       const double facing = careful_dot(omega[k], block.m[k]);

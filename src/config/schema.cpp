@@ -156,6 +156,25 @@ private:
   std::string key_doc_;
 };
 
+/// An object that refuses some keys with a reason.
+class Refusing : public Shape {
+public:
+  Refusing(ShapePtr shape, std::vector<std::pair<std::string, std::string>> refused)
+      : shape_(std::move(shape)), refused_(std::move(refused)) {}
+  void check(const Json& value, const std::string& pointer) const override {
+    for (const auto& [key, why] : refused_)
+      if (value.is_object() && value.contains(key)) throw BadValue{step(pointer, key), why};
+    shape_->check(value, pointer);
+  }
+  Json schema(Json& definitions) const override { return shape_->schema(definitions); }
+  bool matches(const Json& value) const override { return shape_->matches(value); }
+  std::string describe() const override { return shape_->describe(); }
+
+private:
+  ShapePtr shape_;
+  std::vector<std::pair<std::string, std::string>> refused_;
+};
+
 class Tagged : public Shape {
 public:
   explicit Tagged(std::vector<std::pair<std::string, ShapePtr>> types) : types_(std::move(types)) {}
@@ -297,6 +316,7 @@ ShapePtr parameter(const ParameterSpec& spec) {
   case ParameterKind::number: return number(spec.bounds);
   case ParameterKind::number_or_rgb: return either({number(spec.bounds), array(number(spec.bounds), 3, 3)});
   case ParameterKind::vec2: return array(number(spec.bounds), 2, 2);
+  case ParameterKind::vec3: return array(number(spec.bounds), 3, 3);
   case ParameterKind::boolean: return boolean();
   case ParameterKind::formula:
   case ParameterKind::text: return text();
@@ -327,7 +347,9 @@ ShapePtr model(const std::vector<ModelSpec>& specs) {
   for (const auto& spec : specs) {
     std::vector<Field> fields = {{"type", text(), true, spec.doc + " (" + spec.source + ")"}};
     for (Field& field : parameter_fields(spec)) fields.push_back(std::move(field));
-    types.emplace_back(spec.type, object_with_alternatives(std::move(fields), spec.alternatives));
+    ShapePtr shape = object_with_alternatives(std::move(fields), spec.alternatives);
+    if (!spec.refused.empty()) shape = std::make_shared<Refusing>(std::move(shape), spec.refused);
+    types.emplace_back(spec.type, std::move(shape));
   }
   return tagged(std::move(types));
 }

@@ -26,10 +26,11 @@ void put_in_order(CutRays::Ends& ends) {
 const CutRays::Ends& CutRays::at(double psi) {
   if (const auto known = rays_.find(psi); known != rays_.end()) return known->second;
   if (rays_.size() >= most_rays) rays_.clear();
-  const double reach = reach_(std::cos(psi), std::sin(psi));
-  const double end = reach == infinity ? 1 : reach / (spread + reach);
-  Ends ends = {{0, switches_.size()}, {end, switches_.size()}};
-  for (std::size_t k = 0; k < switches_.size(); ++k) add_sign_changes(k, psi, end, ends);
+  const SlopeFrame::Reach reach = reach_(std::cos(psi), std::sin(psi));
+  const auto place = [](double r) { return r == infinity ? 1 : r / (spread + r); };
+  Ends ends = {{place(reach.from), switches_.size()}, {place(reach.to), switches_.size()}};
+  const bool runs = ends[0].z < ends[1].z;
+  for (std::size_t k = 0; runs && k < switches_.size(); ++k) add_sign_changes(k, psi, ends);
   put_in_order(ends);
   return rays_.emplace(psi, std::move(ends)).first->second;
 }
@@ -44,12 +45,15 @@ void CutRays::evaluate_switch(const NormalIntegrand& of, double psi, const std::
   of(normals_, values_);
 }
 
-void CutRays::add_sign_changes(std::size_t which, double psi, double end, Ends& ends) {
+void CutRays::add_sign_changes(std::size_t which, double psi, Ends& ends) {
   const NormalIntegrand& of = switches_[which].value;
   constexpr int probes = 24;
-  std::vector<double> z = {1e-9 * end, 1e-6 * end, 1e-4 * end}; // crossings may leave by the centre
-  for (int k = 1; k < probes; ++k) z.push_back(end * (1 - std::cos(std::numbers::pi * k / probes)) / 2);
-  z.push_back(end * (1 - 1e-5)); // and by the horizon
+  const double begin = ends[0].z, length = ends[1].z - begin;
+  std::vector<double> z;
+  for (const double share : {1e-9, 1e-6, 1e-4})
+    z.push_back(begin + share * length); // crossings may leave by the centre
+  for (int k = 1; k < probes; ++k) z.push_back(begin + length * (1 - std::cos(std::numbers::pi * k / probes)) / 2);
+  z.push_back(begin + length * (1 - 1e-5)); // and by the horizon
   evaluate_switch(of, psi, z);
   std::vector<double> values = values_;
   for (std::size_t k = z.size() - 2; k > 0; --k) {

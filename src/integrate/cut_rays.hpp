@@ -15,8 +15,8 @@ namespace brdfplot {
 /// The rays u = r (cos psi, sin psi), r = spread z / (1 - z), cut where switches change their signs.
 class CutRays {
 public:
-  /// How far a ray runs.
-  using Reach = std::function<double(double cos_psi, double sin_psi)>;
+  /// From where to where a ray runs.
+  using Reach = std::function<SlopeFrame::Reach(double cos_psi, double sin_psi)>;
 
   static constexpr double spread = 2;
   static constexpr double same_place = 1e-6; ///< of a ray's end: sign changes closer than that have no order
@@ -26,7 +26,7 @@ public:
     double z;
     std::size_t crossed;
   };
-  using Ends = std::vector<End>; ///< of the parts of a ray, ascending from 0
+  using Ends = std::vector<End>; ///< of the parts of a ray, ascending from where it begins
 
   CutRays(const SlopeFrame& frame, const std::vector<Switch>& switches, Reach reach)
       : frame_(frame), switches_(switches), reach_(std::move(reach)) {}
@@ -40,7 +40,7 @@ private:
   static constexpr std::size_t most_rays = 20000;
 
   void evaluate_switch(const NormalIntegrand& of, double psi, const std::vector<double>& z);
-  void add_sign_changes(std::size_t which, double psi, double end, Ends& ends);
+  void add_sign_changes(std::size_t which, double psi, Ends& ends);
   std::optional<std::pair<double, double>> dip(const NormalIntegrand& of, double psi, std::array<double, 3> z,
                                                std::array<double, 3> value);
   double sign_change(const NormalIntegrand& of, double psi, std::array<double, 2> z, std::array<double, 2> value);

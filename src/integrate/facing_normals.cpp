@@ -11,14 +11,21 @@ namespace {
 using std::numbers::pi;
 using Integrand = std::function<void(const std::vector<Direction>&, std::vector<double>&)>;
 
-/// L of m~ = mean + L u, and the lines e.u = 1 of the directions.
+/// A line level = v.u of the plane of slopes.
+struct Line {
+  Vec2 v;
+  double level;
+};
+
+/// L of m~ = mean + L u, and the lines of the directions: their horizons, and where there are kinks.
 class Frame {
 public:
-  Frame(const SlopeMap& map, std::span<const Direction> directions, bool kinked) : map_(map), kinked_(kinked) {
+  Frame(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions, bool kinked) : map_(map) {
     for (const Direction& omega : directions) {
       const double c = map.project(omega).c;
-      const auto [x, y] = map.on_unit_surface(omega);
-      lines_.push_back({x / c, y / c});
+      horizons_.push_back({map.on_unit_surface(omega), c});
+      const double c_of_all = omega.z - omega.x * mesosurface[0] - omega.y * mesosurface[1];
+      if (kinked) kinks_.push_back({horizons_.back().v, c - 2 * c_of_all});
     }
   }
 
@@ -31,37 +38,43 @@ public:
   /// d omega_m / d^2 u.
   double jacobian(const Direction& omega_m) const { return map_.determinant() * omega_m.z * omega_m.z * omega_m.z; }
 
-  /// Where the ray of azimuth psi is cut: where the first facet turns away, kinks, and r = 0, as w = acot r, ascending.
+  /// Where the ray of azimuth psi is cut: where the first facet turns away, kinks, and r = 0, or where the last one
+  /// turns towards the directions, as w = acot r, ascending. None where no facet faces them.
   std::vector<double> cuts_of_ray(double cos_psi, double sin_psi) const {
-    double end = 0;
-    std::vector<double> cuts = {0.5 * pi};
-    for (const Vec2& e : lines_) {
-      const double along = e[0] * cos_psi + e[1] * sin_psi;
-      if (along > 0) end = std::max(end, std::atan(along));
-      if (along < 0 && kinked_) cuts.push_back(std::atan(-along));
+    double begin = 0.5 * pi, end = 0;
+    for (const Line& line : horizons_) {
+      const double along = line.v[0] * cos_psi + line.v[1] * sin_psi;
+      if (line.level > 0 && along > 0) end = std::max(end, std::atan(along / line.level));
+      if (!(line.level > 0)) begin = std::min(begin, along < 0 ? std::atan2(-along, -line.level) : 0);
     }
-    std::erase_if(cuts, [&](double w) { return w <= end; });
-    cuts.push_back(end);
+    if (!(end < begin)) return {};
+    std::vector<double> cuts = {end, begin};
+    for (const Line& line : kinks_) {
+      const double along = line.v[0] * cos_psi + line.v[1] * sin_psi;
+      const double w = std::atan2(std::fabs(along), std::fabs(line.level));
+      if (along * line.level > 0 && w > end && w < begin) cuts.push_back(w);
+    }
     std::ranges::sort(cuts);
     return cuts;
   }
 
   /// Where psi is cut, ascending over one turn.
   std::vector<double> cuts_of_turn() const {
+    std::vector<Line> lines = horizons_;
+    lines.insert(lines.end(), kinks_.begin(), kinks_.end());
     std::vector<double> cuts = {-pi, 0};
     const auto cut_across = [&](double x, double y) {
       if (x == 0 && y == 0) return;
       const double psi = std::atan2(y, x);
       for (const double turned : {psi + 0.5 * pi, psi - 0.5 * pi}) cuts.push_back(std::remainder(turned, 2 * pi));
     };
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      const Vec2& e = lines_[k];
-      cut_across(e[0], e[1]);
-      for (const double r : {0.25, 1.0, 4.0}) cut_at_distance(e, r, cuts);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const Line& one = lines[k];
+      cut_across(one.v[0], one.v[1]);
+      for (const double r : {0.25, 1.0, 4.0}) cut_at_distance(one, r, cuts);
       for (std::size_t other = 0; other < k; ++other) {
-        const Vec2& d = lines_[other];
-        cut_across(e[0] - d[0], e[1] - d[1]);
-        if (kinked_) cut_across(e[0] + d[0], e[1] + d[1]);
+        const Line& two = lines[other];
+        cut_across(one.v[0] * two.level - two.v[0] * one.level, one.v[1] * two.level - two.v[1] * one.level);
       }
     }
     std::ranges::sort(cuts);
@@ -74,21 +87,18 @@ public:
   }
 
 private:
-  /// A horizon close to the centre, as at grazing, sweeps over the mass within a small angle, which no rule sees unless
-  /// it is cut where the line (with kinks: and its mirror image) is at a distance r.
-  void cut_at_distance(const Vec2& e, double r, std::vector<double>& cuts) const {
-    const double norm = std::hypot(e[0], e[1]);
-    if (norm < 8) return;
-    const double psi = std::atan2(e[1], e[0]), turn = std::acos(1 / (norm * r));
-    for (const double side : {-turn, turn}) {
-      cuts.push_back(std::remainder(psi + side, 2 * pi));
-      if (kinked_) cuts.push_back(std::remainder(psi + pi + side, 2 * pi));
-    }
+  /// A line close to the centre, as a horizon at grazing, sweeps over the mass within a small angle, which no rule sees
+  /// unless it is cut where the line is at a distance r.
+  static void cut_at_distance(const Line& line, double r, std::vector<double>& cuts) {
+    const double norm = std::hypot(line.v[0], line.v[1]), level = std::fabs(line.level);
+    if (norm < 8 * level) return;
+    const double side = line.level < 0 ? -1 : 1;
+    const double psi = std::atan2(side * line.v[1], side * line.v[0]), turn = std::acos(level / (norm * r));
+    for (const double turned : {-turn, turn}) cuts.push_back(std::remainder(psi + turned, 2 * pi));
   }
 
   const SlopeMap& map_;
-  bool kinked_;
-  std::vector<Vec2> lines_; ///< e
+  std::vector<Line> horizons_, kinks_;
 };
 
 /// The integral along one ray, over w = acot r: infinity is at 0, where numbers are dense.
@@ -109,6 +119,7 @@ public:
       }
     };
     const auto cuts = frame_.cuts_of_ray(cos_psi, sin_psi);
+    if (cuts.empty()) return {};
     Estimate estimate = integrate(over_w, cuts, tolerance);
     if (cuts.front() > 0) return estimate;
     constexpr double largest_slope = 1e65; // before the cube of z_m ends
@@ -144,9 +155,9 @@ private:
 
 } // namespace
 
-Estimate integrate_over_facing(const SlopeMap& map, std::span<const Direction> directions, bool kinked,
-                               const Integrand& f, const Tolerance& tolerance) {
-  const Frame frame(map, directions, kinked);
+Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions,
+                               bool kinked, const Integrand& f, const Tolerance& tolerance) {
+  const Frame frame(map, mesosurface, directions, kinked);
   Ray ray(frame, f);
   std::size_t evaluations = 0;
   double worst_ray = 0;

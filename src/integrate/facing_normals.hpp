@@ -17,10 +17,12 @@ namespace brdfplot {
 ///
 /// In slopes m~ = mean + L u with L L^T = Q^-1 (Heitz 2014, Eq. 88) and u = cot w (cos psi, sin psi): there the
 /// distribution has unit width whatever its roughness is, tails that fall like a power are powers of w, and
-/// omega.m / z_m = c (1 - e.u), so that the horizon of each direction is a line. Rays end at the first of them. psi is
-/// cut where one line takes over from another or is parallel to the ray; with `kinked`, where V-cavities may start to
-/// mask, the rays are cut at e.u = -1 too (Heitz 2014, Eq. 49).
-Estimate integrate_over_facing(const SlopeMap& map, std::span<const Direction> directions, bool kinked,
+/// omega.m / z_m = c - v.u, so that the horizon of each direction is a line. Rays end at the first of them, and of
+/// slopes that are seen from below, c < 0, begin at the last one. psi is cut where one line takes over from another or
+/// is parallel to the ray; with `kinked`, where V-cavities may start to mask, the rays are cut where omega.m / z_m is
+/// 2 c~ too (Heitz 2014, Eq. 49), c~ the direction's c on the mesosurface, whose slope is `mesosurface`.
+Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions,
+                               bool kinked,
                                const std::function<void(const std::vector<Direction>&, std::vector<double>&)>& f,
                                const Tolerance& tolerance);
 

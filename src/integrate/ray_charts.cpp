@@ -52,7 +52,8 @@ ChartPoint RayCharts::operator()(std::size_t chart, double x, double psi) {
   const End& end = ends[part + 1];
   const bool last = part + 2 == ends.size();
   // Towards the horizon shadowing changes within an angle of the order of the roughness: points crowd there.
-  const Place place = placed(x, rays_.is_root(begin), last || rays_.is_root(end));
+  const bool from_horizon = part == 0 && begin.z > 0;
+  const Place place = placed(x, from_horizon || rays_.is_root(begin), last || rays_.is_root(end));
   const double length = end.z - begin.z;
   const double z = begin.z + length * place.at;
   const double dz = length * place.slope;

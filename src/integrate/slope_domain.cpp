@@ -9,18 +9,19 @@ namespace brdfplot {
 
 namespace {
 
-/// The charts of integrate_facing().
+/// The charts of integrate_facing(). Of slopes that are seen from below, a <= 0, none within r < |a| faces the viewer.
 class FacingCharts {
 public:
   FacingCharts(const SlopeFrame& frame, const FacingIntegrand& f)
-      : a_(frame.a()), scale_(2 * std::hypot(1.0, a_)), kink_(f.kink), copies_(f.symmetric ? 2 : 1) {}
+      : a_(std::fabs(frame.a())), scale_(2 * std::hypot(1.0, a_)), below_(frame.a() <= 0), kink_(f.kink),
+        copies_(f.symmetric ? 2 : 1) {}
 
   std::vector<Rectangle> rectangles() const {
     std::vector<Rectangle> all;
     const double rim = a_ == infinity ? 0 : spread / (spread + a_ * a_ + a_ * std::hypot(std::sqrt(spread), a_));
     for (std::size_t mirrored = 0; mirrored < (copies_ == 2 ? 1U : 2U); ++mirrored) {
       const std::size_t base = mirrored * chart_count;
-      all.push_back({rim, 1, 0, std::numbers::pi, base + inside});
+      if (!below_) all.push_back({rim, 1, 0, std::numbers::pi, base + inside});
       if (a_ == infinity) continue;
       all.push_back({0, 1, 0, 1, base + outside});
       if (kink_) all.push_back({0, 1, 0, 1, base + behind});
@@ -37,7 +38,7 @@ public:
     }
     const double t = scale_ * (1 - x) / x;
     const double horizon = std::atan(t / a_);
-    double from = horizon;
+    double from = below_ ? std::numbers::pi - horizon : horizon;
     double to = std::numbers::pi;
     if (kink_) (chart % chart_count == outside ? to : from) = std::numbers::pi - horizon;
     const double psi = from + (to - from) * y;
@@ -51,7 +52,7 @@ private:
   /// unit roughness, Gaussian to long-tailed, nearly a polynomial. Infinity is at x = 0, where numbers are dense.
   static constexpr double spread = 6;
   double a_, scale_;
-  bool kink_;
+  bool below_, kink_;
   double copies_;
 };
 
@@ -60,8 +61,8 @@ Estimate integrate_charts_facing(const SlopeFrame& frame, const FacingIntegrand&
     const FacingCharts charts(frame, f);
     return integrate_charts(frame, f.value, 1, charts, charts.rectangles(), tolerance).channel(0);
   }
-  const auto horizon = [a = frame.a()](double cos_psi, double) { return cos_psi > 0 ? a / cos_psi : infinity; };
-  RayCharts charts(frame, f.switches, horizon, f.symmetric, false);
+  const auto facing = [&](double cos_psi, double sin_psi) { return frame.facing(cos_psi, sin_psi); };
+  RayCharts charts(frame, f.switches, facing, f.symmetric, false);
   const auto rectangles = charts.rectangles();
   const auto chart = [&](std::size_t index, double x, double y) { return charts(index, x, y); };
   return integrate_charts(frame, f.value, 1, chart, rectangles, tolerance).channel(0);
@@ -84,8 +85,8 @@ Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, dou
 }
 
 ColourEstimate integrate_lit(const SlopeFrame& frame, const LitIntegrand& f, double tolerance) {
-  const auto reach = [&](double cos_psi, double sin_psi) { return frame.reach(cos_psi, sin_psi); };
-  RayCharts charts(frame, f.switches, reach, f.symmetric, f.kink_in_plane_of_incidence);
+  const auto lit = [&](double cos_psi, double sin_psi) { return frame.lit(cos_psi, sin_psi); };
+  RayCharts charts(frame, f.switches, lit, f.symmetric, f.kink_in_plane_of_incidence);
   const auto rectangles = charts.rectangles();
   const auto chart = [&](std::size_t index, double x, double y) { return charts(index, x, y); };
   return integrate_charts(frame, f.value, f.channels, chart, rectangles, tolerance);

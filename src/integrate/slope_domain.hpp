@@ -23,13 +23,15 @@ struct Switch {
 struct FacingIntegrand {
   NormalIntegrand value;
   std::vector<Switch> switches{}; ///< the integrand may have a kink where one of these changes its sign,
-  bool kink = false;              ///< and at u_1 = -a, where the V-cavity's other normal starts to face the viewer
+  bool kink = false;              ///< and at u_1 = -a, where the V-cavity's other normal starts to face the viewer, of
+                                  ///< slopes whose mean is the mesosurface's,
   bool symmetric = false;         ///< u_2 -> -u_2 changes nothing
 };
 
 /// Integral over the normals that face the viewer. Two charts, polar and with algebraic maps, so that power laws are
 /// smooth at infinity: the disc r < a, and beyond it r = a sqrt(1 + s^2) with psi from atan s, where the horizon u_1 =
-/// a cuts the ring, to pi (in two parts where there is a kink). With switches, along rays as integrate_lit().
+/// a cuts the ring, to pi (in two parts where there is a kink). Of a part that is seen from below, a <= 0, the second
+/// one alone, r > |a|. With switches, along rays as integrate_lit().
 Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance);
 
 /// What is known of an integrand over the normals that reflect the viewer above the horizon of the mesosurface.
@@ -42,7 +44,7 @@ struct LitIntegrand {
 };
 
 /// Integrals over the normals that reflect the viewer above the horizon of the mesosurface, in polar coordinates around
-/// the mean normal. Rays end at the horizon and are cut where a switch changes its sign.
+/// the mean normal of the frame. Rays lie between the horizons and are cut where a switch changes its sign.
 ColourEstimate integrate_lit(const SlopeFrame& frame, const LitIntegrand& f, double tolerance);
 
 } // namespace brdfplot

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace brdfplot {
 
@@ -20,10 +21,29 @@ double first_root(double k2, double k1, double k0) {
   return best;
 }
 
+/// The part of [from, to] in which k2 x^2 + k1 x + k0 > 0, of which there is one at most.
+SlopeFrame::Reach first_part(double k2, double k1, double k0, const SlopeFrame::Reach& of) {
+  const double discriminant = k1 * k1 - 4 * k2 * k0;
+  std::vector<double> cuts = {of.from};
+  if (discriminant > 0) {
+    const double q = -0.5 * (k1 + std::copysign(std::sqrt(discriminant), k1));
+    for (const double root : {q / k2, k0 / q})
+      if (root > of.from && root < of.to) cuts.push_back(root);
+  }
+  std::ranges::sort(cuts);
+  cuts.push_back(of.to);
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const double middle = cuts[k + 1] < infinity ? 0.5 * (cuts[k] + cuts[k + 1]) : 2 * cuts[k] + 1;
+    if ((k2 * middle + k1) * middle + k0 > 0) return {cuts[k], cuts[k + 1]};
+  }
+  return {0, 0};
+}
+
 } // namespace
 
-SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o)
-    : projection_(map.project(omega_o)), determinant_(map.determinant()), mean_{map.mean_x, map.mean_y} {
+SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o, const Vec2& mesosurface)
+    : projection_(map.project(omega_o)), determinant_(map.determinant()), mean_{map.mean_x, map.mean_y},
+      c_mesosurface_(omega_o.z - omega_o.x * mesosurface[0] - omega_o.y * mesosurface[1]) {
   // Q^-1 is factored by hand where its Cholesky factor is known exactly: (1 - r^2) must not cancel.
   Eigen::Matrix2d factor;
   factor << map.alpha_x, 0, map.correlation * map.alpha_y, map.decorrelation() * map.alpha_y;
@@ -41,7 +61,11 @@ SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o)
   const Eigen::Vector2d b = m.transpose() * mean;
   b_ = {b.x(), b.y()};
   m_ = {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
+  const Eigen::Vector2d of_all(mesosurface[0], mesosurface[1]);
+  const Eigen::Vector2d b_of_all = m.transpose() * of_all;
+  b_mesosurface_ = {b_of_all.x(), b_of_all.y()};
   big_b_ = 1 + mean.squaredNorm();
+  big_b_mesosurface_ = 1 + mean.dot(of_all);
   plane_ = std::atan2(m(0, 0) * omega_o.y - m(1, 0) * omega_o.x, m(1, 1) * omega_o.x - m(0, 1) * omega_o.y);
   symmetric_ = map.alpha_x == map.alpha_y && map.correlation == 0 && map.centred();
 }
@@ -77,13 +101,24 @@ void SlopeFrame::normals_along(const double* u1, double* x, double* y, double* z
     }
 }
 
-double SlopeFrame::reach(double cos_psi, double sin_psi) const {
-  const double horizon = cos_psi > 0 ? a() / cos_psi : infinity;
+SlopeFrame::Reach SlopeFrame::facing(double cos_psi, double) const {
+  if (c() > 0) return {0, cos_psi > 0 ? a() / cos_psi : infinity};
+  if (cos_psi < 0) return {a() / cos_psi, infinity};
+  return {0, 0};
+}
+
+SlopeFrame::Reach SlopeFrame::lit(double cos_psi, double sin_psi) const {
   const double b = b_[0] * cos_psi + b_[1] * sin_psi;
+  const double b_all = b_mesosurface_[0] * cos_psi + b_mesosurface_[1] * sin_psi;
   const double x = m_[0] * cos_psi + m_[1] * sin_psi;
   const double y = m_[2] * cos_psi + m_[3] * sin_psi;
-  const double k2 = -2 * s() * cos_psi * b - c() * (x * x + y * y);
-  return std::min(horizon, first_root(k2, -2 * s() * big_b_ * cos_psi, c() * big_b_));
+  const double k2 = -2 * s() * cos_psi * b_all - c_mesosurface_ * (x * x + y * y);
+  const double k1 = 2 * (c() * b_all - c_mesosurface_ * b) - 2 * s() * big_b_mesosurface_ * cos_psi;
+  const double k0 = 2 * c() * big_b_mesosurface_ - c_mesosurface_ * big_b_;
+  const Reach seen = facing(cos_psi, sin_psi);
+  if (c() > 0 && k0 > 0) return {0, std::min(seen.to, first_root(k2, k1, k0))};
+  if (!(seen.from < seen.to)) return {0, 0};
+  return first_part(k2, k1, k0, seen);
 }
 
 } // namespace brdfplot

@@ -137,14 +137,18 @@ Estimate near_adaptive(const Density& density, double tolerance) {
 }
 
 Estimate far_adaptive(const Density& density, double a, double tolerance) {
-  const FarMap map{mass * std::hypot(1.0, 1 / a)};
+  const double scale = mass * std::hypot(a, 1.0);
   const auto f = [&](const double* x, double* y, std::size_t n) {
-    std::array<double, near_count> r{};
-    for (std::size_t k = 0; k < n; ++k) r[k] = a * std::hypot(1.0, map.s(x[k]));
+    std::array<double, near_count> r{}, t{};
+    for (std::size_t k = 0; k < n; ++k) {
+      t[k] = scale * (1 - x[k]) / x[k];
+      r[k] = std::hypot(a, t[k]);
+    }
     density(r.data(), y, n);
-    for (std::size_t k = 0; k < n; ++k) y[k] = y[k] > 0 ? y[k] * map.weight(x[k]) * a * a * a : 0;
+    for (std::size_t k = 0; k < n; ++k)
+      y[k] = y[k] > 0 ? y[k] * 2 * t[k] * t[k] * atan_deficit(t[k] / a) * scale / (x[k] * x[k]) : 0;
   };
-  const std::array<double, 3> cuts = {0, map.scale / (map.scale + 8), 1}; // the weight changes its nature at s ~ 1
+  const std::array<double, 3> cuts = {0, scale / (scale + 8 * a), 1}; // the weight changes its nature at t ~ a
   return integrate(f, cuts, {.absolute = tolerance, .relative = 1e-14});
 }
 
@@ -160,15 +164,15 @@ void improve(Estimate& estimate, const Better& better) {
 
 Estimate visible_area(const Distribution& distribution, const SlopeFrame& frame, double tolerance) {
   const Density density(distribution, frame);
-  const double c = frame.c();
+  const double c = std::fmax(frame.c(), 0);
   const double s = frame.s();
-  const double a = frame.a();
+  const double a = std::fabs(frame.a());
   const bool seen_from_aside = a < 1e75; // beyond, Lambda < 1e-149
-  Estimate all = near_by_rule(density);
+  Estimate all = c > 0 ? near_by_rule(density) : Estimate{};
   Estimate negative{0, seen_from_aside ? infinity : 0, 0};
-  if (seen_from_aside && scale_of(a) < scale_count) negative = far_by_rule(density, a);
+  if (seen_from_aside && a > 1e-6 && scale_of(a) < scale_count) negative = far_by_rule(density, a);
   if (!(c * all.error + s * negative.error <= tolerance)) {
-    improve(all, [&] { return near_adaptive(density, 0.5 * tolerance / c); });
+    if (c > 0) improve(all, [&] { return near_adaptive(density, 0.5 * tolerance / c); });
     if (seen_from_aside) improve(negative, [&] { return far_adaptive(density, a, 0.5 * tolerance / s); });
   }
   // The weight of the second integral is 2 r^2 far out, and the fourth power of a normal's cosine ends soon after.

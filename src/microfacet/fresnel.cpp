@@ -65,6 +65,14 @@ void SchlickFresnel::reflectances(const double* c, std::size_t channel, double* 
   kernels::reflectance_schlick(c, f0[channel], f90[channel], exponent, f, n);
 }
 
+/// (1 - f0) (1 - q) + (1 - f90) q, q = (1 - c)^exponent.
+void SchlickFresnel::losses(const double* c, std::size_t channel, double* left, std::size_t n) const {
+  for (std::size_t k = 0; k < n; ++k) {
+    const double log_q = exponent * std::log1p(-c[k]);
+    left[k] = (1 - f0[channel]) * -std::expm1(log_q) + (1 - f90[channel]) * std::exp(log_q);
+  }
+}
+
 namespace {
 
 /// c (1 - c)^6 at c = 1/7, its maximum, and (1 - c)^5 there.
@@ -133,6 +141,16 @@ void F82Fresnel::reflectances(const double* c, std::size_t channel, double* f, s
   }
 }
 
+/// (1 - f0) (1 - u^5) + a c u^6.
+void F82Fresnel::losses(const double* c, std::size_t channel, double* left, std::size_t n) const {
+  const double normal = f0[channel], a = coefficient(normal, f82[channel]);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double u = 1 - c[k], u2 = u * u;
+    const double complement = c[k] * (1 + u * (1 + u * (1 + u * (1 + u))));
+    left[k] = std::min(1.0, (1 - normal) * complement + a * c[k] * u2 * u2 * u2);
+  }
+}
+
 double F82Fresnel::mean(std::size_t channel) const {
   return f0[channel] + (1 - f0[channel]) / 21 - coefficient(f0[channel], f82[channel]) / 126;
 }
@@ -151,6 +169,28 @@ DielectricFresnel DielectricFresnel::from(const Values& values) { return {values
 
 void DielectricFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
   kernels::reflectance_dielectric(c, eta[channel], f, n);
+}
+
+namespace {
+
+/// eta^2 - (1 - c^2), where eta and 1 are close at grazing, and 1 and c are at the normal, by their differences.
+double refracted_cosine2(double eta, double c) {
+  if (c * c < 0.5) return (eta - 1) * (eta + 1) + c * c;
+  const double s = std::sqrt((1 - c) * (1 + c));
+  return (eta - s) * (eta + s);
+}
+
+} // namespace
+
+/// 2 c g (1 / (c + g)^2 + eta^2 / (eta^2 c + g)^2), g^2 = eta^2 - 1 + c^2: what both polarisations refract. 0 where g^2
+/// is negative.
+void DielectricFresnel::losses(const double* c, std::size_t channel, double* left, std::size_t n) const {
+  const double index = eta[channel], index2 = index * index;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double g = std::sqrt(std::max(0.0, refracted_cosine2(index, c[k])));
+    const double s = c[k] + g, p = index2 * c[k] + g;
+    left[k] = g > 0 ? 2 * c[k] * g * (1 / (s * s) + index2 / (p * p)) : 0;
+  }
 }
 
 std::optional<double> DielectricFresnel::critical_cosine(std::size_t channel) const {
@@ -183,6 +223,24 @@ std::optional<double> ConductorFresnel::critical_cosine(std::size_t channel) con
 
 void ConductorFresnel::reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const {
   kernels::reflectance_conductor(c, eta[channel], k[channel], f, n);
+}
+
+/// With g = a + i b, g^2 = (eta + i k)^2 - s^2, s^2 = 1 - c^2: of the one polarisation R = 1 - 4 a c / ((a + c)^2 +
+/// b^2), of the other R times 1 - 4 a c s^2 / ((a c + s^2)^2 + b^2 c^2). a and b, whose product is eta k, without a
+/// difference.
+void ConductorFresnel::losses(const double* c, std::size_t channel, double* left, std::size_t n) const {
+  const double index = eta[channel], absorbed = k[channel];
+  for (std::size_t at = 0; at < n; ++at) {
+    const double cosine = c[at], s2 = (1 - cosine) * (1 + cosine), product = index * absorbed;
+    const double real = refracted_cosine2(index, cosine) - absorbed * absorbed;
+    const double larger = std::sqrt(0.5 * (std::hypot(real, 2 * product) + std::fabs(real)));
+    const double smaller = larger > 0 ? product / larger : 0;
+    const double a = real > 0 ? larger : smaller, b = real > 0 ? smaller : larger;
+    const double first = 4 * a * cosine / ((a + cosine) * (a + cosine) + b * b);
+    const double along = a * cosine + s2;
+    const double second = 4 * a * cosine * s2 / (along * along + b * b * cosine * cosine);
+    left[at] = a > 0 && cosine > 0 ? 0.5 * (first + (first + (1 - first) * second)) : 0;
+  }
 }
 
 namespace {

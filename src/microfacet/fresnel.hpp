@@ -1,9 +1,10 @@
 /// \file
 /// Fresnel reflectance of a microfacet: `reflectances(c, channel, f, n)` sets f to that of one channel at n cosines c
-/// in [0, 1] between direction and facet normal; `mean(channel)`, where there is a closed form, is mean_fresnel(). The
-/// list of types is at the end. A type that is not smooth, or nearly so, declares where (`critical_cosine`), so that
-/// integrals can be cut there. One that refracts what it does not reflect declares `relative_index(channel)`, and one
-/// with F = 1 `reflects_all`.
+/// in [0, 1] between direction and facet normal; `losses` of the same arguments sets 1 - F, to a few roundings of
+/// itself where F nears 1; `mean(channel)`, where there is a closed form, is mean_fresnel(). The list of types is at
+/// the end. A type that is not smooth, or nearly so, declares where (`critical_cosine`), so that integrals can be cut
+/// there. One that refracts what it does not reflect declares `relative_index(channel)`, and one with F = 1
+/// `reflects_all`.
 #pragma once
 
 #include "models/parameters.hpp"
@@ -25,6 +26,7 @@ struct NoFresnel {
   static NoFresnel from(const Values&) { return {}; }
   bool coloured() const { return false; }
   void reflectances(const double*, std::size_t, double* f, std::size_t n) const { std::fill_n(f, n, 1.0); }
+  void losses(const double*, std::size_t, double* left, std::size_t n) const { std::fill_n(left, n, 0.0); }
   static double mean(std::size_t) { return 1; }
 };
 
@@ -39,6 +41,7 @@ struct SchlickFresnel {
   static SchlickFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
   void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
+  void losses(const double* c, std::size_t channel, double* left, std::size_t n) const;
   double mean(std::size_t channel) const; ///< f0 + 2 (f90 - f0) / ((n + 1) (n + 2)), n the exponent (RTR4, Eq. 9.59)
 };
 
@@ -54,6 +57,7 @@ struct F82Fresnel {
   static Made<F82Fresnel> from(const Values& values);
   bool coloured() const { return is_rgb; }
   void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
+  void losses(const double* c, std::size_t channel, double* left, std::size_t n) const;
   double mean(std::size_t channel) const; ///< f0 + (1 - f0) / 21 - a / 126
 
   static double coefficient(double f0, double f82); ///< a
@@ -70,6 +74,7 @@ struct DielectricFresnel {
   static DielectricFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
   void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
+  void losses(const double* c, std::size_t channel, double* left, std::size_t n) const;
   /// Light that is not reflected is refracted, and from beneath F is dielectric_reflectance() at 1 / relative_index.
   double relative_index(std::size_t channel) const { return eta[channel]; }
   /// The cosine up to which reflection is total, sqrt(1 - eta^2) of eta < 1: F falls from 1 like a root there.
@@ -86,6 +91,7 @@ struct ConductorFresnel {
   static ConductorFresnel from(const Values& values);
   bool coloured() const { return is_rgb; }
   void reflectances(const double* c, std::size_t channel, double* f, std::size_t n) const;
+  void losses(const double* c, std::size_t channel, double* left, std::size_t n) const;
   /// Where the real part of the squared index is sin^2: for k -> 0 reflection is total up to there, and for small k F
   /// changes within a narrow range about it.
   std::optional<double> critical_cosine(std::size_t channel) const;

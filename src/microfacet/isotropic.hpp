@@ -6,11 +6,14 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace brdfplot {
 
 /// A distribution of normals about the vertical. `Profile` has
 /// - `static ModelSpec spec()` and `static Profile from(const Values&)`;
+/// - `static std::optional<ParameterError> problem(const Values&)`, where parameters may not go together;
 /// - `double width() const`: the slope that is the unit of `a_lambda`, about where most of the mass lies;
 /// - `double p22(double r2) const`: slope density at squared slope r2;
 /// - `double density(double sin2, double z) const`: D (1/sr) of the normal with that squared sine and cosine z > 0;
@@ -23,9 +26,11 @@ struct Isotropic {
   Profile profile;
 
   static ModelSpec spec() { return Profile::spec(); }
-  static Isotropic from(const Values& values) {
+  static Made<Isotropic> from(const Values& values) {
+    if constexpr (requires { Profile::problem(values); })
+      if (std::optional<ParameterError> error = Profile::problem(values)) return std::move(*error);
     const Profile profile = Profile::from(values);
-    return {{.alpha_x = profile.width(), .alpha_y = profile.width()}, profile};
+    return Isotropic{{.alpha_x = profile.width(), .alpha_y = profile.width()}, profile};
   }
   static constexpr bool shape_invariant = false;
 

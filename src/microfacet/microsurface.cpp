@@ -32,10 +32,10 @@ void require_own_distribution(const MicrosurfaceDescription& description, const 
 }
 
 template <class D>
-bool has_infinite_mean_slope(const D& distribution) {
+bool mean_slope_is_infinite(const D& distribution) {
   if constexpr (requires { distribution.parts; })
     return std::ranges::any_of(distribution.parts, [](const auto& part) {
-      return std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, part.distribution);
+      return std::visit([](const auto& d) { return mean_slope_is_infinite(d); }, part.distribution);
     });
   else
     return requires { distribution.profile.infinite_mean_slope; };
@@ -51,7 +51,7 @@ void require_finite_lambda(const Microsurface& surface) {
       },
       surface.masking);
   if (!takes_lambda) return;
-  if (std::visit([](const auto& d) { return has_infinite_mean_slope(d); }, surface.distribution))
+  if (has_infinite_mean_slope(surface.distribution))
     throw MaterialError("/masking/type", "\"smith\" has an infinite Lambda with this distribution, whose mean slope is "
                                          "infinite (\"oren_nayar\"); accepted with any: v_cavity");
 }
@@ -66,6 +66,10 @@ void require_lambda_of_shadowing(const MicrosurfaceDescription& description, con
 }
 
 } // namespace
+
+bool has_infinite_mean_slope(const Distribution& distribution) {
+  return std::visit([](const auto& d) { return mean_slope_is_infinite(d); }, distribution);
+}
 
 bool Microsurface::has_lambda() const {
   return std::visit([](const auto& m) { return m.has_lambda; }, masking);

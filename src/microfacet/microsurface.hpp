@@ -44,6 +44,9 @@ struct Microsurface {
   const SlopeMap& slopes() const;
 };
 
+/// Whether the slopes of a distribution, or of one of its parts, have an infinite mean, so that Lambda has none.
+bool has_infinite_mean_slope(const Distribution& distribution);
+
 /// Builds the model that `choice` names; `section` is its JSON key, for errors. \throws MaterialError
 template <class List>
 List make_or_throw(const std::string& section, const ModelChoice& choice) {

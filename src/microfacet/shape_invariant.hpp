@@ -20,6 +20,7 @@ namespace brdfplot {
 /// - `double slope_within(double u)`, where it is a closed form: the slope within which a share u of the ground lies, u
 /// in [0, 1), at unit roughness; and `visible_slope(c, s, u1, u2)`, where visible slopes (visible_normals.hpp) are one:
 /// both without rejection (sampling/);
+/// - `gaussian_slopes` where they are Gaussian, so that variances add; `infinite_variance` where theirs is;
 /// - where random microsurfaces have these slopes: `simulated_surface`, their type (simulation/surface.hpp), and
 /// `sample_visible_slope`, for random walks (microfacet/visible_normals.hpp).
 /// The functions of a shape without parameters are static, and the shape takes no room.
@@ -33,6 +34,19 @@ struct ShapeInvariant {
     const std::vector<ParameterSpec> map = SlopeMap::parameters();
     spec.parameters.insert(spec.parameters.begin(), map.begin(), map.end());
     spec.alternatives = SlopeMap::alternatives();
+    const std::vector<ParameterSpec> moments = SlopeMap::moments();
+    if constexpr (requires { Shape::gaussian_slopes; }) {
+      spec.parameters.insert(spec.parameters.begin() + static_cast<std::ptrdiff_t>(map.size()), moments.begin(),
+                             moments.end());
+      for (auto& group : SlopeMap::moment_alternatives()) spec.alternatives.push_back(std::move(group));
+    } else {
+      constexpr bool infinite = requires { Shape::infinite_variance; };
+      for (const ParameterSpec& moment : moments)
+        spec.refused.emplace_back(moment.key, "the slopes of \"" + spec.type + "\" " +
+                                                  (infinite ? "have no finite variance" : "are not Gaussian") +
+                                                  ", and their roughness does not follow from one; accepted in "
+                                                  "\"beckmann\" alone");
+    }
     return spec;
   }
   static Made<ShapeInvariant> from(const Values& values) {

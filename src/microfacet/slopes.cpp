@@ -44,6 +44,31 @@ double alpha_by_convention(const std::string& name, double r) {
   return std::ranges::find_if(conventions, [&](const auto& one) { return one.name == name; })->alpha(r);
 }
 
+/// The covariance of slopes, from their second moments and their mean.
+struct Covariance {
+  double xx, yy, xy;
+};
+Covariance covariance(const Values& values) {
+  const Rgb moments = values.rgb("slope_moments");
+  const Vec2 mean = values.vec2("mean_slope");
+  return {std::fma(-mean[0], mean[0], moments[0]), std::fma(-mean[1], mean[1], moments[1]),
+          std::fma(-mean[0], mean[1], moments[2])};
+}
+
+/// Moments of single precision, whose covariance may have a negative variance along some axis, are accepted.
+std::optional<ParameterError> problem_with_moments(const Values& values) {
+  if (values.number("correlation") != 0)
+    return ParameterError{"correlation", "found " + format_number(values.number("correlation")) +
+                                             " beside \"slope_moments\", which say it; accepted: 0"};
+  const Rgb moments = values.rgb("slope_moments");
+  const auto [xx, yy, xy] = covariance(values);
+  const double least = 0.5 * (xx + yy - std::hypot(xx - yy, 2 * xy));
+  if (least >= -1e-6 * (std::fabs(moments[0]) + std::fabs(moments[1]))) return std::nullopt;
+  return ParameterError{"slope_moments", "found a variance of " + format_number(least) +
+                                             " along some axis; accepted: [E[xx], E[yy], E[xy]] of slopes whose mean "
+                                             "is mean_slope"};
+}
+
 } // namespace
 
 double toksvig_exponent(double exponent, double length) {
@@ -96,6 +121,20 @@ std::vector<ParameterSpec> SlopeMap::parameters() {
            .doc = "[x, y] slope of the mesosurface (Heitz 2014, Eq. 94)"}};
 }
 
+std::vector<ParameterSpec> SlopeMap::moments() {
+  const Bounds bounds{.min = -1e6, .max = 1e6};
+  return {{.key = "slope_moments",
+           .kind = ParameterKind::vec3,
+           .bounds = bounds,
+           .doc =
+               "[E[xx], E[yy], E[xy]], second moments of the slopes of a filtered normal map whose mean is mean_slope; "
+               "alpha is that of the base (LEAN: Olano and Baker 2010; Akenine-Moller et al. 2018, section 9.13.1)"},
+          {.key = "slope_variance",
+           .bounds = {.min = 0, .max = 1e6},
+           .doc = "variance along an axis of the slopes of a filtered normal map, added to alpha^2 / 2 (variance "
+                  "mapping: Akenine-Moller et al. 2018, section 9.13.1)"}};
+}
+
 SlopeMap SlopeMap::from(const Values& values) {
   SlopeMap map;
   if (values.has("alpha_x")) {
@@ -106,6 +145,8 @@ SlopeMap SlopeMap::from(const Values& values) {
                              ? alpha_by_convention(values.text("roughness_convention"), values.number("roughness"))
                          : values.has("mean_normal_length")
                              ? toksvig_alpha(values.number("alpha"), values.number("mean_normal_length"))
+                         : values.has("slope_variance")
+                             ? std::hypot(values.number("alpha"), std::sqrt(2 * values.number("slope_variance")))
                              : alpha_from(values);
     const double k = values.has("imageworks_anisotropy") ? values.number("imageworks_anisotropy") : 0;
     const double q = values.has("disney_anisotropy") ? std::sqrt(1 - 0.9 * values.number("disney_anisotropy")) : 1;
@@ -113,6 +154,13 @@ SlopeMap SlopeMap::from(const Values& values) {
     map.alpha_y = alpha * (1 - k) * q;
   }
   map.correlation = values.number("correlation");
+  if (values.has("slope_moments")) {
+    const auto [xx, yy, xy] = covariance(values);
+    const double base = 0.5 * map.alpha_x * map.alpha_x;
+    map.alpha_x = std::sqrt(2 * (xx + base));
+    map.alpha_y = std::sqrt(2 * (yy + base));
+    map.correlation = xy / (std::sqrt(xx + base) * std::sqrt(yy + base));
+  }
   const Vec2 mean = values.vec2("mean_slope");
   map.mean_x = mean[0];
   map.mean_y = mean[1];
@@ -127,6 +175,7 @@ std::optional<ParameterError> SlopeMap::problem(const Values& values) {
                                    "\": " + accepted.describe()};
   };
   if (values.has("roughness_convention")) return outside("roughness", {.min = 1e-3, .max = 1}, "roughness_convention");
+  if (values.has("slope_moments")) return problem_with_moments(values);
   if (values.has("mean_normal_length"))
     return outside("alpha", {.min = roughnesses.min, .max = 1}, "mean_normal_length");
   return std::nullopt;
@@ -137,6 +186,9 @@ std::optional<ParameterError> SlopeMap::problem() const {
     return ParameterError{"", "alpha_x = " + format_number(alpha_x) + " with alpha_y = " + format_number(alpha_y) +
                                   ": found " + what};
   };
+  if (!(std::fabs(correlation) < 1))
+    return ParameterError{"slope_moments", "found a covariance of correlation " + format_number(correlation) +
+                                               "; accepted: in (-1, 1), which a larger alpha of the base makes it"};
   for (const double alpha : {alpha_x, alpha_y})
     if (!roughnesses.contains(alpha)) return of_both(format_number(alpha) + ", accepted: " + roughnesses.describe());
   const double ratio = std::max(alpha_x / alpha_y, alpha_y / alpha_x);

@@ -84,8 +84,19 @@ struct SlopeMap {
             {"roughness", "roughness_convention"},
             {"alpha", "mean_normal_length"}};
   }
+  /// What makes the roughness of Gaussian slopes from those of a normal map: `slope_moments`, the second moments E[xx],
+  /// E[yy], E[xy] of slopes whose mean is `mean_slope`, of which the covariance E[m m^T] - mean mean^T, with alpha^2 /
+  /// 2 of the base added on the diagonal, is alpha^2 / 2 of the whole (LEAN: Olano and Baker 2010); and
+  /// `slope_variance`, the variance v along any axis that a normal map lost, alpha'^2 = alpha^2 + 2 v (variance
+  /// mapping: Akenine-Moller et al. 2018, section 9.13.1). Error: a rounding of the second moments, which is many of
+  /// their difference with the square of a large mean.
+  static std::vector<ParameterSpec> moments();
+  static std::vector<std::vector<std::string>> moment_alternatives() {
+    return {{"alpha", "slope_moments"}, {"alpha", "slope_variance"}};
+  }
   static SlopeMap from(const Values& values);
-  /// Of two parameters together: a roughness that no renderer takes, an alpha whose lobe Toksvig does not widen.
+  /// Of two parameters together: a roughness that no renderer takes, an alpha whose lobe Toksvig does not widen, second
+  /// moments that no slopes of that mean have.
   static std::optional<ParameterError> problem(const Values& values);
   /// Of parameters that are good one by one: a roughness that an anisotropy takes out of [1e-6, 1e6], or two more than
   /// 1e6 apart. Within, everything there is to evaluate is finite.

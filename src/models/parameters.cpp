@@ -145,6 +145,8 @@ const std::vector<std::string>* given_alternative(const std::vector<std::vector<
 std::variant<Values, ParameterError> complete(const ModelSpec& spec, const Values& given) {
   for (const auto& [key, value] : given.map()) {
     const ParameterSpec* parameter = spec.find(key);
+    for (const auto& [other, why] : spec.refused)
+      if (other == key) return ParameterError{key, why};
     if (parameter == nullptr) return ParameterError{key, unknown_name("parameter of " + spec.type, key, keys_of(spec))};
     if (auto problem = problem_with(*parameter, value)) return ParameterError{key, *problem};
   }

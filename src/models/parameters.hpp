@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -49,6 +50,7 @@ enum class ParameterKind {
   number,
   number_or_rgb, ///< a scalar stands for three equal channels
   vec2,
+  vec3,
   boolean,    ///< true or false
   choice,     ///< one of `choices`
   formula,    ///< text: a formula (math/formula.hpp) of the variables `choices`
@@ -90,6 +92,8 @@ struct ModelSpec {
   /// Groups of keys of which exactly one must be given, whole, and nothing of the others (but what it shares with
   /// them). Empty: every parameter without default is required.
   std::vector<std::vector<std::string>> alternatives{};
+  /// Keys that its like have and it cannot, each with the reason.
+  std::vector<std::pair<std::string, std::string>> refused{};
 
   const ParameterSpec* find(std::string_view key) const;
 };

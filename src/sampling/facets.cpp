@@ -31,7 +31,8 @@ Facets::Facets(const Distribution& distribution)
 }
 
 bool Facets::visible() const {
-  return std::ranges::all_of(slopes_, [](const auto& s) { return s.visible(); });
+  return std::ranges::all_of(slopes_, [](const auto& s) { return s.visible(); }) &&
+         std::ranges::all_of(components_, &Component::on_mesosurface);
 }
 
 bool Facets::ggx() const {

@@ -23,7 +23,8 @@ class Facets {
 public:
   explicit Facets(const Distribution& distribution);
 
-  /// Whether normals can be drawn as they are seen (see RadialSlopes::visible()).
+  /// Whether normals can be drawn as they are seen (see RadialSlopes::visible()), from any direction above the
+  /// mesosurface: not where a component has another one, which may then be seen from below.
   bool visible() const;
   /// Whether all components are GGX.
   bool ggx() const;

@@ -44,6 +44,22 @@ ModelChoice distribution(Draw& draw) {
   return mixture(parts).distribution;
 }
 
+/// A mixture of parts that are inclined each in a way of its own, as averaged normals are.
+ModelChoice of_several_mesosurfaces(Draw& draw) {
+  WeightedChoices parts;
+  const int count = draw.chance(0.7) ? 2 : 3;
+  for (int k = 0; k < count; ++k) {
+    const double alpha = draw.log_between(0.1, 2), ratio = draw.chance(0.5) ? draw.log_between(0.3, 3) : 1;
+    const Vec2 mean = {draw.between(-0.8, 0.8), draw.between(-0.8, 0.8)};
+    const std::string type = draw.one_of<std::string>({"beckmann", "ggx", "student_t"});
+    ModelChoice part =
+        general(type, alpha, alpha * ratio, draw.chance(0.4) ? draw.between(-0.8, 0.8) : 0, mean).distribution;
+    if (type == "student_t") part.values.set("gamma", 1.5 + draw.log_between(0.5, 10));
+    parts.push_back({draw.log_between(0.1, 1), part});
+  }
+  return mixture(parts).distribution;
+}
+
 ModelChoice fresnel(Draw& draw) {
   ModelChoice choice{.type = draw.one_of<std::string>({"none", "none", "schlick", "dielectric", "conductor"}),
                      .values = {}};
@@ -74,10 +90,12 @@ std::string describe_choice(const ModelChoice& choice) {
 
 } // namespace
 
-std::optional<IntegralCase> random_case(std::uint64_t number) {
+namespace {
+
+std::optional<IntegralCase> case_of(std::uint64_t number, ModelChoice (*distribution_of)(Draw&)) {
   Draw draw(number);
   TermDescription description;
-  description.distribution = distribution(draw);
+  description.distribution = distribution_of(draw);
   std::vector<std::string> maskings = {"smith",    "smith",          "smith",
                                        "v_cavity", "smith_rational", "implicit",
                                        "kelemen",  "schlick_smith",  "schlick_smith_rational"};
@@ -113,7 +131,24 @@ std::optional<IntegralCase> random_case(std::uint64_t number) {
   }
 }
 
+} // namespace
+
+std::optional<IntegralCase> random_case(std::uint64_t number) { return case_of(number, distribution); }
+
+std::optional<IntegralCase> random_tilted_case(std::uint64_t number) {
+  return case_of(number, of_several_mesosurfaces);
+}
+
 namespace {
+
+/// The frame of a component, about the mean slope of the whole: its normal is one of those that face the viewer and
+/// reflect it above the horizon, which that of a component need not be.
+SlopeMap about_mesosurface(const Component& component) {
+  SlopeMap map = component.frame;
+  map.mean_x = component.mesosurface[0];
+  map.mean_y = component.mesosurface[1];
+  return map;
+}
 
 Direction mirrored_at(const Direction& o, const Direction& h) {
   const double along = 2 * dot(o, h);
@@ -175,8 +210,9 @@ RayIntegral truth_of(const IntegralCase& one, double of_tolerance) {
   const int panels = critical || of_tolerance < 1 ? 6 : 1;
   RayIntegral sum;
   for (const Component& component : parts) {
-    const RayIntegral part = integrate_rays(component.frame, one.o, inside, integrand(one, component, parts.size() > 1),
-                                            of_tolerance * one.tolerance / static_cast<double>(parts.size()), panels);
+    const RayIntegral part =
+        integrate_rays(about_mesosurface(component), one.o, inside, integrand(one, component, parts.size() > 1),
+                       of_tolerance * one.tolerance / static_cast<double>(parts.size()), panels);
     sum.value += part.value;
     sum.doubt += part.doubt;
     sum.evaluations += part.evaluations;
@@ -206,7 +242,7 @@ RayIntegral diffuse_truth(const Material& material, const Direction& o, const Di
         values[k] *= std::max(0.0, dot(o, facets[k])) * std::max(0.0, dot(i, facets[k])) *
                      component.density(facets[k]) / (std::numbers::pi * c_o * c_i);
     };
-    const RayIntegral part = integrate_rays(component.frame, o, inside, f, tolerance * about, parts);
+    const RayIntegral part = integrate_rays(about_mesosurface(component), o, inside, f, tolerance * about, parts);
     sum.value += part.value;
     sum.doubt += part.doubt;
   }

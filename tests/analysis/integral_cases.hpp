@@ -51,6 +51,10 @@ struct IntegralCase {
 /// the direction is below the mesosurface.
 std::optional<IntegralCase> random_case(std::uint64_t number);
 
+/// The same of mixtures whose parts lie on mesosurfaces of their own, inclined by slopes up to 0.8: some are seen from
+/// below.
+std::optional<IntegralCase> random_tilted_case(std::uint64_t number);
+
 /// albedo, furnace, projected_area, visible_norm or weak_furnace (which Eq. 36 says is the same as visible_norm), to
 /// so much of the tolerance of the case.
 RayIntegral truth_of(const IntegralCase& one, double of_tolerance = 1);

@@ -136,3 +136,34 @@ TEST_CASE("claims are names of properties") {
     CHECK(PropertyRow{}.verdict(info.name) == Verdict::unknown);
   }
 }
+
+TEST_CASE("Eq. 9.22 holds of every distribution whose mean slope is finite") {
+  for (const TermDescription& description : every_distribution()) {
+    const Residual residual = measure(Property::eq9_22, {description}, quick);
+    INFO(description.name << ": " << residual.max_residual << " +- " << residual.error);
+    if (description.distribution.type == "oren_nayar") {
+      CHECK(residual.verdict == Verdict::not_applicable);
+      CHECK(residual.reason == "the mean slope is infinite");
+    } else {
+      CHECK(residual.verdict == Verdict::holds);
+    }
+  }
+}
+
+TEST_CASE("Eq. 9.22 fails of what is no density of a heightfield's normals, by as much as it is off") {
+  // D = (n + 1) / (2 pi) cos^n, normalised over solid angle, as a lobe of the half vector may be; D cos^4 with cos^2 =
+  // 1 / (1 + t2). The integral of D cos is (n + 1) / (n + 2).
+  const auto lobe = [](bool normalised) {
+    TermDescription description = custom("21 / (2 * pi) * (1 + t2)^-12", 1);
+    description.distribution.values.set("normalised", normalised);
+    return description;
+  };
+  const Residual wrong = measure(Property::eq9_22, {lobe(false)}, quick);
+  CHECK(wrong.verdict == Verdict::fails);
+  CHECK(wrong.max_residual == doctest::Approx(1.0 / 22).epsilon(1e-8));
+  CHECK(verdict(Property::normalized, lobe(false)) == Verdict::fails);
+  CHECK(verdict(Property::eq9_22, lobe(true)) == Verdict::holds);
+  const Direction m = from_angles(0.4, 1);
+  CHECK(value_at_normal(build(lobe(false)), Quantity::d, m, m) ==
+        doctest::Approx(21 / (2 * std::numbers::pi) * std::pow(std::cos(0.4), 20)).epsilon(1e-13));
+}

@@ -130,6 +130,34 @@ Material with_fresnel(TermDescription description, const std::string& type, cons
   return build(description);
 }
 
+/// rho of diffuse facets on the surface of a case, in another random direction of the light.
+Tally compare_diffuse(std::optional<IntegralCase> one, std::uint64_t number) {
+  Tally tally;
+  Draw draw(number + 77);
+  const Direction i = from_angles(draw.between(0, 89.9) * degree, draw.between(0, 6.3));
+  if (!one || !(one->material.surface().slopes().project(i).c > 0)) return tally;
+  one->material.terms[0].term = FacetDiffuse{one->material.surface(), {}};
+  const std::string text =
+      one->text + ", diffuse, i = " + format_number(i.x) + ", " + format_number(i.y) + ", " + format_number(i.z);
+  try {
+    constexpr double accuracy = 1e-9;
+    const double value = test::value(one->material, Quantity::brdf, one->o, i);
+    RayIntegral truth = diffuse_truth(one->material, one->o, i, accuracy, value, 1);
+    const auto agrees = [&] { return std::fabs(value - truth.value) <= accuracy * truth.value + 3 * truth.doubt; };
+    if (!agrees()) truth = diffuse_truth(one->material, one->o, i, fine * accuracy, value, 6);
+    tally.answered = 1;
+    if (!agrees()) {
+      tally.wrong = 1;
+      tally.faults = text + ": " + format_number(value) + ", truth " + format_number(truth.value) + "\n";
+      say("WRONG " + tally.faults);
+    }
+  } catch (const AccuracyError& error) {
+    tally.refused = 1;
+    say("REFUSED " + text + ": " + error.what());
+  }
+  return tally;
+}
+
 } // namespace
 
 TEST_CASE("albedos with kinks that are part of a model") {
@@ -185,32 +213,19 @@ TEST_CASE("random integrals agree with an independent rule, or are refused, whic
   }));
 }
 
-TEST_CASE("random BRDFs of diffuse facets agree with an independent rule, or are refused, which is rare") {
-  require_right(tally_of(first_number(), std::max<std::uint64_t>(count_of_numbers() / 10, 1), [](std::uint64_t number) {
-    Tally tally;
-    auto one = random_case(number);
-    Draw draw(number + 77);
-    const Direction i = from_angles(draw.between(0, 89.9) * degree, draw.between(0, 6.3));
-    if (!one || !(one->material.surface().slopes().project(i).c > 0)) return tally;
-    one->material.terms[0].term = FacetDiffuse{one->material.surface(), {}};
-    const std::string text =
-        one->text + ", diffuse, i = " + format_number(i.x) + ", " + format_number(i.y) + ", " + format_number(i.z);
-    try {
-      constexpr double accuracy = 1e-9;
-      const double value = test::value(one->material, Quantity::brdf, one->o, i);
-      RayIntegral truth = diffuse_truth(one->material, one->o, i, accuracy, value, 1);
-      const auto agrees = [&] { return std::fabs(value - truth.value) <= accuracy * truth.value + 3 * truth.doubt; };
-      if (!agrees()) truth = diffuse_truth(one->material, one->o, i, fine * accuracy, value, 6);
-      tally.answered = 1;
-      if (!agrees()) {
-        tally.wrong = 1;
-        tally.faults = text + ": " + format_number(value) + ", truth " + format_number(truth.value) + "\n";
-        say("WRONG " + tally.faults);
-      }
-    } catch (const AccuracyError& error) {
-      tally.refused = 1;
-      say("REFUSED " + text + ": " + error.what());
-    }
-    return tally;
+TEST_CASE("random integrals of parts on several mesosurfaces agree with an independent rule, or are refused") {
+  require_right(tally_of(first_number(), std::max<std::uint64_t>(count_of_numbers() / 30, 1), [](std::uint64_t number) {
+    const auto one = random_tilted_case(number);
+    if (!one) return Tally{};
+    say(one->text);
+    return compare(*one);
   }));
+}
+
+TEST_CASE("random BRDFs of diffuse facets agree with an independent rule, or are refused, which is rare") {
+  const std::uint64_t count = std::max<std::uint64_t>(count_of_numbers() / 10, 1);
+  require_right(tally_of(first_number(), count,
+                         [](std::uint64_t number) { return compare_diffuse(random_case(number), number); }));
+  require_right(tally_of(first_number(), std::max<std::uint64_t>(count / 2, 1),
+                         [](std::uint64_t number) { return compare_diffuse(random_tilted_case(number), number); }));
 }

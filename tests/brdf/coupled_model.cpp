@@ -286,3 +286,53 @@ TEST_CASE("terms of another: what cannot be is refused, with what is accepted") 
   sheared.distribution.values.set("mean_slope", Vec2{0.1, 0});
   CHECK(error_of(MaterialDescription(sheared)).find("mean_slope") != std::string::npos);
 }
+
+TEST_CASE("a kelemen term has every Fresnel term, and what is asked of it, as a mirror has") {
+  const std::vector<std::pair<std::string, std::vector<std::pair<std::string, Value>>>> all = {
+      {"none", {}},
+      {"schlick", {{"f0", Rgb{0.9, 0.5, 0.1}}, {"f90", 0.8}, {"exponent", 4.0}}},
+      {"f82", {{"f0", 0.8}, {"f82", 0.7}}},
+      {"dielectric", {{"eta", 1.5}}},
+      {"dielectric", {{"eta", 0.7}}},
+      {"conductor", {{"eta", Rgb{0.2, 0.9, 1.1}}, {"k", 3.0}}}};
+  for (const auto& [type, values] : all) {
+    TermDescription mirror = describe("ggx", 0.3);
+    mirror.fresnel.type = type;
+    for (const auto& [key, value] : values) mirror.fresnel.values.set(key, value);
+    TermDescription kelemen = mirror;
+    kelemen.type = "kelemen";
+    const std::string shown = type; // Clang 14 has no structured binding in the lambda of INFO
+    INFO(shown);
+    const Material a = build(mirror), b = build(kelemen);
+    const Direction o = from_angles(1.1, 0.2), i = from_angles(0.7, 2);
+    std::array<double, 3> f_a{}, f_b{}, rho{}, white{};
+    const auto of = [&](const Material& m, Quantity quantity, std::array<double, 3>& out) {
+      evaluate(m, quantity, {1, {&o.x, &o.y, &o.z}, {&i.x, &i.y, &i.z}, {}}, out.data());
+    };
+    CHECK(channels_of(b, Quantity::fresnel) == channels_of(a, Quantity::fresnel));
+    of(a, Quantity::fresnel, f_a);
+    of(b, Quantity::fresnel, f_b);
+    CHECK(f_a == f_b);
+    for (int c = 0; c < a.channels(); ++c)
+      CHECK(compute(Integral::average_fresnel, b, o, 1e-9, c).value ==
+            compute(Integral::average_fresnel, a, o, 1e-9, c).value);
+    TermDescription without = kelemen;
+    without.fresnel = {.type = "none"};
+    of(b, Quantity::brdf, rho);
+    of(build(without), Quantity::brdf, white);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(b.channels()); ++c)
+      CHECK(relative(rho[c], white[0] * f_b[c]) < 1e-14);
+  }
+}
+
+TEST_CASE("fresnel of several terms is of the one with a microsurface, or of one that is named") {
+  TermDescription one = describe("ggx", 0.3), two = one;
+  one.name = "one";
+  two.name = "two";
+  one.type = two.type = "kelemen";
+  const Direction o = from_angles(1.1, 0.2);
+  const Material both = build(MaterialDescription{"both", {one, two}, true});
+  CHECK_THROWS_WITH(test::value(both, Quantity::fresnel, o, o), doctest::Contains("of one, two"));
+  one.type = "mirror";
+  CHECK(test::value(build(MaterialDescription{"both", {one, two}, true}), Quantity::fresnel, o, o) == 1);
+}

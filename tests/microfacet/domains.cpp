@@ -49,6 +49,11 @@ TermDescription draw(const ModelSpec& spec, Random& random) {
     if (alternative && std::ranges::find(group, parameter.key) == group.end()) continue;
     Value value = std::string("exp(-t2)");
     if (parameter.kind == ParameterKind::number) value = draw(parameter.bounds, random);
+    if (parameter.kind == ParameterKind::boolean) continue;
+    if (parameter.kind == ParameterKind::vec3) { // moments that go together
+      const double xx = std::pow(10, 6 * random.uniform() - 6), yy = xx * std::pow(10, 2 * random.uniform() - 1);
+      value = Rgb{xx, yy, (2 * random.uniform() - 1) * std::sqrt(xx * yy)};
+    }
     if (parameter.kind == ParameterKind::vec2)
       value =
           random.uniform() < 0.5 ? Vec2{0, 0} : Vec2{draw(parameter.bounds, random), draw(parameter.bounds, random)};
@@ -90,7 +95,9 @@ TEST_CASE("domains: every number of every model has two ends") {
     for (const ModelSpec& spec : specs)
       for (const ParameterSpec& parameter : spec.parameters) {
         INFO(spec.type << ", " << parameter.key);
-        if (parameter.kind == ParameterKind::formula || parameter.kind == ParameterKind::choice) continue;
+        if (parameter.kind == ParameterKind::formula || parameter.kind == ParameterKind::choice ||
+            parameter.kind == ParameterKind::boolean)
+          continue;
         CHECK(parameter.bounds.min > -1e16);
         CHECK(parameter.bounds.max < (parameter.kind == ParameterKind::components ? 1e101 : 1e16));
       }

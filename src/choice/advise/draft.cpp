@@ -38,7 +38,8 @@ void make_canonical(ModelChoice& choice) {
   if (spec == specs.end() || spec->find("alpha_x") == nullptr) return;
   const auto distribution = make_or_throw<Distribution>("distribution", choice);
   const SlopeMap map = std::visit([](const auto& d) { return d.slopes; }, distribution);
-  const std::vector<ParameterSpec> of_map = SlopeMap::parameters();
+  std::vector<ParameterSpec> of_map = SlopeMap::parameters();
+  for (ParameterSpec& moment : SlopeMap::moments()) of_map.push_back(std::move(moment));
   Values values;
   for (const auto& [key, value] : choice.values.map())
     if (std::ranges::find(of_map, key, &ParameterSpec::key) == of_map.end()) values.set(key, value);

@@ -125,10 +125,20 @@ std::optional<double> Configuration::angle(const std::string& variable) const {
   return angle_.at(static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin()));
 }
 
-Vec2 Configuration::mean_slope() const {
-  for (const TermDescription& term : material_.terms)
-    if (term.distribution.values.has("mean_slope")) return term.distribution.values.vec2("mean_slope");
-  return {0, 0};
+std::vector<Vec2> Configuration::mean_slopes() const {
+  std::vector<Vec2> all;
+  const auto add = [&](const Values& values) {
+    const Vec2 mean = values.has("mean_slope") ? values.vec2("mean_slope") : Vec2{0, 0};
+    if (std::ranges::find(all, mean) == all.end()) all.push_back(mean);
+  };
+  for (const TermDescription& term : material_.terms) {
+    const Values& values = term.distribution.values;
+    if (!values.has("components"))
+      add(values);
+    else
+      for (const WeightedChoice& part : values.components("components")) add(part.model.values);
+  }
+  return all;
 }
 
 std::optional<Direction> Configuration::direction(std::size_t which) const {
@@ -170,6 +180,7 @@ MaterialDescription Configuration::transformed(const Material& material) const {
   const SlopeMap& map = surface.slopes();
   set_parameter(term, "alpha_x", map.alpha_x / stretch_[0]);
   set_parameter(term, "alpha_y", map.alpha_y / stretch_[1]);
+  term.distribution.values.set("correlation", map.correlation);
   term.distribution.values.set("mean_slope",
                                Vec2{map.mean_x / stretch_[0] + shear_[0], map.mean_y / stretch_[1] + shear_[1]});
   return description;

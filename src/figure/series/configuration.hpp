@@ -58,8 +58,9 @@ public:
   /// theta_o, phi_o, ... phi_m, where it is set.
   std::optional<double> angle(const std::string& variable) const;
 
-  /// Slope of the mesosurface before the transformations.
-  Vec2 mean_slope() const;
+  /// Where slopes have their means before the transformations: of the distributions of all terms, or of the parts that
+  /// a mixture has; [0, 0] where none is inclined.
+  std::vector<Vec2> mean_slopes() const;
 
 private:
   void set_model(const std::string& variable, const std::string& type);

@@ -15,11 +15,10 @@ using simulation::Measured;
 
 using std::numbers::pi;
 
-/// Where a term over `variable` may have something narrow: the normal of the mesosurface, the direction that it mirrors
-/// the other one to, the other direction itself.
-std::vector<double> narrow_places(const std::string& variable, const Configuration& fixed) {
+/// Where a term over `variable` may have something narrow about a mean slope: the normal there, the direction that it
+/// mirrors the other one to, the other direction itself.
+std::vector<double> narrow_places(const std::string& variable, const Configuration& fixed, const Vec2& mean) {
   const auto angle = [&](const char* name) { return fixed.angle(name).value_or(0); };
-  const Vec2 mean = fixed.mean_slope();
   // The slope of the mean normal in the plane of azimuth phi.
   const auto slope = [&](double phi) { return -mean[0] * std::cos(phi) - mean[1] * std::sin(phi); };
   const auto around = [&](double phi) {
@@ -103,7 +102,11 @@ std::vector<double> Evaluator::combined(const SweptColumns& x) const {
 
 std::vector<double> Evaluator::seeds(const std::string& variable) const {
   std::vector<double> out;
-  if (term_) out = narrow_places(variable, term_->fixed());
+  const std::vector<Vec2> means = term_ ? term_->fixed().mean_slopes() : std::vector<Vec2>{};
+  for (const Vec2& mean : means) {
+    const auto places = narrow_places(variable, term_->fixed(), mean);
+    out.insert(out.end(), places.begin(), places.end());
+  }
   for (const auto& operand : operands_) {
     const auto more = operand.seeds(variable);
     out.insert(out.end(), more.begin(), more.end());

@@ -38,6 +38,7 @@ struct BeckmannShape {
     kernels::d_beckmann(stretch, m, d, n);
   }
 
+  static constexpr bool gaussian_slopes = true;
   static constexpr const char* simulated_surface = "gaussian";
 
   static double slope_within(double u) { return std::sqrt(-std::log1p(-u)); }

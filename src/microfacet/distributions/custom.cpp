@@ -150,13 +150,14 @@ double mass(const Formula& formula, const std::vector<double>& peaks, double pow
   return whole.value;
 }
 
-CustomShape make(const Formula& formula) {
+CustomShape make(const Formula& formula, bool normalised) {
   CustomShape::Tail tail;
   DensityHints hints;
   const Samples samples(formula);
   hints.cuts = peaks(samples);
   hints.power = tail.power = falling_power(formula);
-  const double scale = std::numbers::inv_pi / mass(formula, hints.cuts, tail.power);
+  const double whole = mass(formula, hints.cuts, tail.power);
+  const double scale = normalised ? std::numbers::inv_pi / whole : 1;
   require_scale(samples);
   tail.log_density = std::log(scale * checked(formula, far));
   const auto log_density = [=](double t2) {
@@ -170,20 +171,28 @@ CustomShape make(const Formula& formula) {
 } // namespace
 
 ModelSpec CustomShape::about() {
-  return {.type = "custom",
-          .doc = "a shape of your own: a formula of t2, the squared slope over alpha^2, and of its root t",
-          .source = "Heitz 2014, Eq. 87; normalised and Lambda by quadrature",
-          .parameters = {{.key = "shape",
-                          .kind = ParameterKind::formula,
-                          .doc = "density of slopes up to a factor, such as exp(-t2): finite from t2 = 0 on, not "
-                                 "negative, falling faster than t2^-1.5; values below 1e-290 count as 0 in Lambda",
-                          .choices = variables()}}};
+  return {
+      .type = "custom",
+      .doc = "a shape of your own: a formula of t2, the squared slope over alpha^2, and of its root t",
+      .source = "Heitz 2014, Eq. 87; normalised and Lambda by quadrature",
+      .parameters = {{.key = "shape",
+                      .kind = ParameterKind::formula,
+                      .doc = "density of slopes up to a factor, such as exp(-t2): finite from t2 = 0 on, not "
+                             "negative, falling faster than t2^-1.5; values below 1e-290 count as 0 in Lambda",
+                      .choices = variables()},
+                     {.key = "normalised",
+                      .kind = ParameterKind::boolean,
+                      .fallback = true,
+                      .doc = "whether the density is the shape over its integral, or at alpha = 1 the shape itself: "
+                             "D cos^4 with t2 = tan^2, which has to have the integral 1"}}};
 }
 
 Made<CustomShape> CustomShape::from(const Values& values) {
   const std::string text = values.text("shape");
   try {
-    return remembered<CustomShape>(text, [&] { return make(Formula(text, variables())); });
+    const bool normalised = values.flag("normalised");
+    return remembered<CustomShape>((normalised ? "" : "as written: ") + text,
+                                   [&] { return make(Formula(text, variables()), normalised); });
   } catch (const ShapeProblem& problem) {
     return ParameterError{"shape", problem.what};
   }

@@ -11,6 +11,7 @@
 namespace brdfplot {
 
 struct GgxShape {
+  static constexpr bool infinite_variance = true;
   static ModelSpec about() {
     return {.type = "ggx",
             .doc = "slopes with a long tail (Trowbridge-Reitz)",

@@ -15,7 +15,10 @@
 namespace brdfplot {
 
 /// D = sum w_k D_k, over the distributions of `List`, with weights that are divided by their sum. The visible area is
-/// linear in D, and so is Smith's c Lambda (Heitz 2014, Eqs. 41-43). All parts have one mesosurface.
+/// linear in D, and so is Smith's c Lambda (Heitz 2014, Eqs. 41-43). The parts may lie on mesosurfaces of their own, as
+/// normals that are averaged do: that of the whole has the mean of their slopes, sum w_k mean_k, which is where
+/// int <o,m> D dm over all normals is c_o (Akenine-Moller et al. 2018, Eq. 9.22). A part may be seen from below its
+/// own; its area is then c_k + c_k Lambda_k of a c_k < 0, as masked_area() has it.
 template <class List>
 struct MixtureOf {
   struct Part {
@@ -51,16 +54,19 @@ struct MixtureOf {
         return ParameterError{at + "/distribution" + (error->key.empty() ? "" : "/" + error->key), error->what};
       mixture.parts.push_back({component.weight, std::get<List>(std::move(made))});
       sum += component.weight;
-      const SlopeMap& first = mixture.parts.front().slopes();
-      const SlopeMap& last = mixture.parts.back().slopes();
-      if (last.mean_x != first.mean_x || last.mean_y != first.mean_y)
-        return ParameterError{at, "its mean_slope differs from that of the first; the components share a mesosurface"};
     }
     for (Part& part : mixture.parts) part.weight /= sum;
     mixture.slopes = mixture.common_slopes();
     return mixture;
   }
   static constexpr bool shape_invariant = false;
+
+  bool has_one_mesosurface() const {
+    const SlopeMap& first = parts.front().slopes();
+    return std::ranges::all_of(parts, [&](const Part& part) {
+      return part.slopes().mean_x == first.mean_x && part.slopes().mean_y == first.mean_y;
+    });
+  }
 
   double p22(double slope_x, double slope_y) const {
     return summed([&](const auto& d) { return d.p22(slope_x, slope_y); });
@@ -90,7 +96,14 @@ private:
       const SlopeMap& map = part.slopes();
       return std::pair(map.alpha_x == map.alpha_y && map.correlation == 0, map.determinant());
     };
-    return std::ranges::min_element(parts, {}, order)->slopes();
+    SlopeMap common = std::ranges::min_element(parts, {}, order)->slopes();
+    if (has_one_mesosurface()) return common;
+    common.mean_x = common.mean_y = 0;
+    for (const Part& part : parts) {
+      common.mean_x += part.weight * part.slopes().mean_x;
+      common.mean_y += part.weight * part.slopes().mean_y;
+    }
+    return common;
   }
 };
 

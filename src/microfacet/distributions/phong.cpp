@@ -1,5 +1,7 @@
 #include "microfacet/distributions/phong.hpp"
 
+#include "base/number.hpp"
+
 #include <algorithm>
 #include <numbers>
 
@@ -42,6 +44,12 @@ PhongProfile PhongProfile::from(const Values& values) {
   const double alpha2 = alpha * alpha;
   // n + 1 = (2 - alpha^2) / alpha^2, whose difference is rounded once however near to sqrt(2) alpha is.
   return {2 / alpha2 - 2, alpha, StudentTShape::of_excess(0.5 * std::fma(-alpha, alpha, 2) / alpha2)};
+}
+
+std::optional<ParameterError> PhongProfile::problem(const Values& values) {
+  if (!values.has("mean_normal_length") || values.number("exponent") >= 0) return std::nullopt;
+  return ParameterError{"exponent", "found " + format_number(values.number("exponent")) +
+                                        ", accepted beside \"mean_normal_length\": a number in [0, 2e+12]"};
 }
 
 double PhongProfile::p22(double r2) const { return lobe(exponent, 0.5 * (exponent + 4), r2); }

@@ -17,6 +17,8 @@ struct PhongProfile {
 
   static ModelSpec spec();
   static PhongProfile from(const Values& values);
+  /// An exponent below 0, which Toksvig's formula does not widen, beside `mean_normal_length`.
+  static std::optional<ParameterError> problem(const Values& values);
 
   double width() const { return alpha; }
   double p22(double r2) const;
