@@ -1,5 +1,5 @@
 /// \file
-/// Beckmann: Gaussian slopes (Heitz 2014, Eqs. 67-69, 81-83).
+/// Beckmann: Gaussian slopes (Heitz 2014, Eqs. 67-69, 81-83; Akenine-Moller et al. 2018, Eqs. 9.35, 9.38, 9.52).
 #pragma once
 
 #include "microfacet/beckmann_lambda.hpp"

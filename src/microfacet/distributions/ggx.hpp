@@ -1,5 +1,6 @@
 /// \file
-/// GGX, also known as Trowbridge-Reitz (Heitz 2014, Eqs. 70-72, 84-86).
+/// GGX, also known as Trowbridge-Reitz (Heitz 2014, Eqs. 70-72, 84-86; Akenine-Moller et al. 2018,
+/// Eqs. 9.41-9.42, 9.53).
 #pragma once
 
 #include "microfacet/shape_invariant.hpp"
