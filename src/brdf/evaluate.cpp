@@ -159,6 +159,7 @@ void require(const Material& material, const QuantityInfo& info, bool has_o, boo
 }
 
 void evaluate(const Material& material, std::span<const Wanted> wanted, const Batch& batch) {
+  if (!batch.m) return Evaluation(material, wanted, batch).run();
   // What does not look at a given normal has half vectors of its own.
   std::vector<Wanted> with_normal, without;
   for (const Wanted& one : wanted) (batch.m && !used_by(one.quantity, batch).m ? without : with_normal).push_back(one);
