@@ -9,7 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <numbers>
@@ -26,8 +25,12 @@ constexpr std::size_t pairs = 1000;
 const Rgb albedo{0.8, 0.5, 0.2}, f0{0.04, 0.05, 0.06};
 constexpr double roughness = 0.7, subsurface = 0.3, alpha = 0.5;
 
+/// Aligned, as the vectors of a processor want it.
+template <std::size_t size>
+struct alignas(64) Aligned : std::array<double, size> {};
+
 struct Pairs {
-  std::vector<double> ox, oy, oz, ix, iy, iz;
+  Aligned<pairs> ox, oy, oz, ix, iy, iz;
 };
 
 const Pairs& input() {
@@ -38,16 +41,16 @@ const Pairs& input() {
     for (std::size_t k = 0; k < pairs; ++k) {
       const Direction o = from_angles(0.5 * pi * unit(engine), 2 * pi * unit(engine));
       const Direction i = from_angles(0.5 * pi * unit(engine), 2 * pi * unit(engine));
-      p.ox.push_back(o.x), p.oy.push_back(o.y), p.oz.push_back(o.z);
-      p.ix.push_back(i.x), p.iy.push_back(i.y), p.iz.push_back(i.z);
+      p.ox[k] = o.x, p.oy[k] = o.y, p.oz[k] = o.z;
+      p.ix[k] = i.x, p.iy[k] = i.y, p.iz[k] = i.z;
     }
     return p;
   }();
   return made;
 }
 
-std::vector<double>& output() {
-  static std::vector<double> values(3 * pairs);
+Aligned<3 * pairs>& output() {
+  static Aligned<3 * pairs> values;
   return values;
 }
 
@@ -100,7 +103,7 @@ void compare(const std::string& name, const TermDescription& description, const 
   };
   const auto inlined = [&] { transcription.inlined(channels); };
   called();
-  const std::vector<double> expected = output();
+  const Aligned<3 * pairs> expected = output();
   in_batch();
   double apart = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(channels) * pairs; ++k)

@@ -58,6 +58,15 @@ void evaluate_by_heights(const Mirror& mirror, kernels::Distribution distributio
   write_channels(mirror, block, value, out);
 }
 
+/// By the kernel of sheen.
+void evaluate_sheen(const Mirror& mirror, const SheenKernel& kernel, bool times_cosine, SurfaceBlock& block,
+                    const ChannelRows& out) {
+  Buffer value;
+  kernels::sheen_brdf(kernel.masking, kernel.parameters, vectors(block.o), vectors(block.i), times_cosine, value.data(),
+                      block.n);
+  write_channels(mirror, block, value, out);
+}
+
 /// Factor by factor.
 void evaluate_factors(const Mirror& mirror, bool times_cosine, SurfaceBlock& block, const ChannelRows& out) {
   compute_visibility(mirror.surface, block);
@@ -85,6 +94,8 @@ void Mirror::evaluate(const PairBlock& pairs, SurfaceBlock& work, const ChannelR
     evaluate_whole(*this, *kernel, pairs.times_cosine, work, out);
   else if (const auto distribution = smith_kernel(surface))
     evaluate_by_heights(*this, *distribution, pairs.times_cosine, work, out);
+  else if (const auto sheen = sheen_kernel(surface))
+    evaluate_sheen(*this, *sheen, pairs.times_cosine, work, out);
   else
     evaluate_factors(*this, pairs.times_cosine, work, out);
 }

@@ -220,6 +220,18 @@ void flat_brdf(FlatTerm term, const FlatParameters& parameters, Vectors<double> 
   table().flat.flat[static_cast<int>(term)][times_cosine][channels > 1](parameters, o, i, out, n);
 }
 
+void wrap(const WrapParameters& parameters, const double* o_z, const double* i_z, bool times_cosine, int channels,
+          double* const* out, std::size_t n) {
+  table().cloth.wrap[times_cosine][channels > 1](parameters, o_z, i_z, out, n);
+}
+
+void sheen_brdf(SheenMasking masking, const SheenParameters& parameters, Vectors<double> o, Vectors<double> i,
+                bool times_cosine, double* out, std::size_t n) {
+  const SheenParameters& k = parameters;
+  const double at_half = k.a / (1 + k.b * std::pow(0.5, k.power)) + (0.5 * k.d + k.e);
+  table().cloth.sheen[static_cast<int>(masking)][times_cosine](k, at_half, o, i, out, n);
+}
+
 void mirror_at_visible_normals(Distribution distribution, const Stretch& stretch, const SeenFrom& from,
                                const double* u1, const double* u2, const MirroredAtNormals& out, std::size_t n) {
   detail::VisibleConstants k = constants_of(stretch, from);
