@@ -12,6 +12,10 @@ namespace {
 
 /// Writes `value` times F(o.m) into the channels.
 void write_channels(const Mirror& mirror, SurfaceBlock& block, const Buffer& value, const ChannelRows& out) {
+  if (std::holds_alternative<NoFresnel>(mirror.fresnel)) {
+    std::copy_n(value.data(), block.n, out.rho[0]);
+    return;
+  }
   compute_reflectances(mirror.fresnel, block);
   for (std::size_t channel = 0; channel < static_cast<std::size_t>(mirror.channels()); ++channel) {
     const Buffer& f = block.reflectances[channel];
@@ -33,11 +37,7 @@ void evaluate_whole(const Mirror& mirror, const WholeKernel& kernel, bool times_
     kernels::project(stretch, vectors(block.i), c.data(), s.data(), n);
     for (std::size_t k = 0; k < n; ++k) weighted[k] = block.white[k] * std::max(0.0, c[k]);
   }
-  const Buffer& value = times_cosine ? weighted : block.white;
-  if (std::holds_alternative<NoFresnel>(mirror.fresnel))
-    std::copy_n(value.data(), n, out.rho[0]);
-  else
-    write_channels(mirror, block, value, out);
+  write_channels(mirror, block, times_cosine ? weighted : block.white, out);
 }
 
 /// Where only the form of shadowing has no kernel: the BRDF with the masking of heights alone, times how much more the

@@ -1,5 +1,6 @@
 #include "math/kernels/kernels.hpp"
 
+#include "math/kernels/directions.hpp"
 #include "math/kernels/isa_here.hpp"
 #include "math/kernels/table.hpp"
 
@@ -218,6 +219,10 @@ void reflectance_schlick(const double* c, double f0, double f90, double exponent
 void flat_brdf(FlatTerm term, const FlatParameters& parameters, Vectors<double> o, Vectors<double> i, bool times_cosine,
                int channels, double* const* out, std::size_t n) {
   table().flat.flat[static_cast<int>(term)][times_cosine][channels > 1](parameters, o, i, out, n);
+}
+
+void half_vectors(Vectors<double> o, Vectors<double> i, double* x, double* y, double* z, std::size_t n) {
+  table().directions.half_vectors(o, i, x, y, z, n);
 }
 
 void wrap(const WrapParameters& parameters, const double* o_z, const double* i_z, bool times_cosine, int channels,

@@ -113,6 +113,12 @@ struct ClothKernels {
   Sheen sheen[2][2]; ///< [masking][times cosine]
 };
 
+struct DirectionKernels {
+  using Half = void (*)(Vectors<double>, Vectors<double>, double*, double*, double*, std::size_t);
+
+  Half half_vectors;
+};
+
 struct Table {
   Kernels<double> for_double;
   Kernels<float> for_float;
@@ -120,6 +126,7 @@ struct Table {
   FlatKernels flat;
   SamplingKernels sampling;
   ClothKernels cloth;
+  DirectionKernels directions;
 };
 
 extern const Table baseline_table;
