@@ -2,6 +2,7 @@
 /// brdfplot list: what there is, from the models' own declarations.
 
 #include "analysis/integrals.hpp"
+#include "analysis/properties.hpp"
 #include "analysis/weight_moments.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
@@ -190,6 +191,13 @@ std::vector<Item> measures() {
   return items;
 }
 
+std::vector<Item> property_items() {
+  std::vector<Item> items;
+  for (const PropertyInfo& info : properties())
+    items.push_back({info.name, info.doc + (info.source.empty() ? "" : "; [" + info.source + "]"), ""});
+  return items;
+}
+
 struct Section {
   std::string name, title;
   std::vector<Item> (*items)();
@@ -218,6 +226,8 @@ const std::vector<Section>& sections() {
       {"fresnel", "Fresnel terms (\"fresnel\")", items_of<Fresnel>},
       {"terms", "Terms of a BRDF (\"terms\" of a material), each with \"name\" and \"weight\"", terms},
       {"quantities", "Quantities (brdfplot eval -q)", quantity_items},
+      {"properties", "Properties (brdfplot check, \"claims\" of a material): what is measured, 0 where it holds",
+       property_items},
       {"surfaces", "Surfaces (\"surface\" of a scene)", items_of<simulation::Surface>},
       {"measures", "Measures of a scene (\"measures\")", measures},
       {"profiles", "Surfaces in profile (\"surface\" of a profile)", items_of<plot::ProfileSurface>},
@@ -256,7 +266,7 @@ Command add_list(CLI::App& app) {
   command
       ->add_option("name", *wanted,
                    "A model or a quantity, or all of distributions, masking, shadowing, fresnel, terms, quantities, "
-                   "surfaces, measures or profiles; default: everything in short")
+                   "properties, surfaces, measures or profiles; default: everything in short")
       ->type_name("NAME");
   command->footer(footer("brdfplot list ggx"));
   return {command, [wanted] {

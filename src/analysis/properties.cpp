@@ -65,20 +65,22 @@ std::string label_of(const TermDescription& term) {
 
 const std::vector<PropertyInfo>& properties() {
   static const std::vector<PropertyInfo> all = {
-      {Property::eq14, "eq14", "Eq. 14", "|projected area of the visible facets / cos theta_o - 1|"},
-      {Property::eq18, "eq18", "Eq. 18", "|integral of the visible normals - 1|"},
-      {Property::eq36, "eq36", "Eq. 36", "|weak white furnace of specular facets - 1|"},
-      {Property::eq37, "eq37", "Eq. 37", "|weak white furnace of diffuse facets - 1|"},
-      {Property::normalized, "normalized", "D normalized", "|integral of D cos theta_m - 1|"},
-      {Property::eq9_22, "eq9_22", "RTR Eq. 9.22",
-       "|integral of D (o.m), unclamped, - o.g| at most over o [Akenine-Moller et al. 2018, Eq. 9.22]"},
+      {Property::eq14, "eq14", "Eq. 14", "|projected area of the visible facets / cos theta_o - 1|",
+       "Heitz 2014, Eqs. 13-14; Akenine-Moller et al. 2018, Eq. 9.23"},
+      {Property::eq18, "eq18", "Eq. 18", "|integral of the visible normals - 1|", "Heitz 2014, Eq. 18"},
+      {Property::eq36, "eq36", "Eq. 36", "|weak white furnace of specular facets - 1|", "Heitz 2014, Eqs. 35-36"},
+      {Property::eq37, "eq37", "Eq. 37", "|weak white furnace of diffuse facets - 1|", "Heitz 2014, Eq. 37"},
+      {Property::normalized, "normalized", "D normalized", "|integral of D cos theta_m - 1|",
+       "Heitz 2014, Eq. 9; Akenine-Moller et al. 2018, Eq. 9.21"},
+      {Property::eq9_22, "eq9_22", "RTR Eq. 9.22", "|integral of D (o.m), unclamped, - o.g| at most over o",
+       "Akenine-Moller et al. 2018, Eq. 9.22"},
       {Property::g1_range, "g1_range", "G1 in [0, 1]", "how far G1 is outside"},
       {Property::g1_decreasing, "g1_decreasing", "G1 decreasing", "how much G1 grows in a step of theta_o"},
       {Property::g1_normal, "g1_normal", "G1 = 1 at normal", "|G1 - 1| at the normal"},
       {Property::stretch_invariance, "stretch_invariance", "stretch invariant",
        "|change of G1| when the whole configuration is stretched"},
       {Property::reciprocity, "reciprocity", "reciprocal", "|rho(o,i) - rho(i,o)| / (rho(o,i) + rho(i,o))"},
-      {Property::energy, "energy", "energy <= 1", "white furnace (F = 1) - 1, where it is above"},
+      {Property::energy, "energy", "energy <= 1", "white furnace (F = 1) - 1, where it is above", "Heitz 2014, Eq. 34"},
   };
   return all;
 }

@@ -29,9 +29,10 @@ enum class Property {
 
 struct PropertyInfo {
   Property property;
-  std::string name;  ///< in files
-  std::string title; ///< in tables
-  std::string doc;   ///< what the residual is
+  std::string name;     ///< in files
+  std::string title;    ///< in tables
+  std::string doc;      ///< what the residual is
+  std::string source{}; ///< which equations it tests, where it does
 };
 
 /// All, in the order of `Property`.

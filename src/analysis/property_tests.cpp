@@ -209,7 +209,8 @@ void test_reciprocity(const PropertySubject& subject, WorstResidual& worst) {
           double residual = 0;
           for (std::size_t c = 0; c < there.size(); ++c)
             if (there[c] != back[c])
-              residual = std::fmax(residual, std::fabs(there[c] - back[c]) / (there[c] + back[c]));
+              residual =
+                  std::fmax(residual, std::fabs(there[c] - back[c]) / (std::fabs(there[c]) + std::fabs(back[c])));
           worst.take(residual, error, theta_o * degree, phi_o * degree);
         }
 }

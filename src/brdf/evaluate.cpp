@@ -1,6 +1,7 @@
 #include "brdf/evaluate.hpp"
 
 #include "brdf/fresnel_term.hpp"
+#include "brdf/kernel_choice.hpp"
 #include "brdf/surface_block.hpp"
 
 #include <algorithm>
@@ -15,9 +16,18 @@ int channels_of_terms(const std::vector<const WeightedTerm*>& terms) {
   return std::ranges::any_of(terms, [](const auto* t) { return t->channels() > 1; }) ? 3 : 1;
 }
 
+/// Whether rho of a term is computed at half vectors, by other than a kernel that has them itself.
+bool looks_at_half_vectors(const WeightedTerm& term) {
+  if (const auto* mirror = std::get_if<Mirror>(&term.term))
+    return !std::holds_alternative<NoFresnel>(mirror->fresnel) ||
+           (!whole_kernel(mirror->surface) && !sheen_kernel(mirror->surface));
+  return term.surface() != nullptr || term.facets() != nullptr;
+}
+
 /// One term with the work space of its quantities, in one block of rows.
 struct TermBlock {
   const WeightedTerm* term = nullptr;
+  bool at_half_vectors = false;
   SurfaceBlock work;
 };
 
@@ -65,7 +75,12 @@ class Evaluation {
 public:
   Evaluation(const Material& material, std::span<const Wanted> wanted, const Batch& batch)
       : batch_(batch), block_count_(material.terms.size()), blocks_(new TermBlock[block_count_]) {
-    for (std::size_t k = 0; k < block_count_; ++k) blocks_[k].term = &material.terms[k];
+    const bool of_facets =
+        std::ranges::any_of(wanted, [](const Wanted& one) { return info_of(one.quantity).owner != Owner::material; });
+    for (std::size_t k = 0; k < block_count_; ++k) {
+      blocks_[k].term = &material.terms[k];
+      blocks_[k].at_half_vectors = of_facets || looks_at_half_vectors(material.terms[k]);
+    }
     for (const Wanted& one : wanted) {
       require(material, info_of(one.quantity), bool(batch.o), bool(batch.i), bool(batch.m), one.term);
       Task task{one.quantity, one.out, channels_of(material, one.quantity, one.term), {}};
@@ -85,11 +100,12 @@ public:
       const std::size_t n = std::min(PairBlock::capacity, batch_.n - first);
       for (std::size_t k = 0; k < block_count_; ++k) {
         SurfaceBlock& work = blocks_[k].work;
-        if (blocks_[k].term->surface() != nullptr || blocks_[k].term->facets() != nullptr) {
+        if (blocks_[k].at_half_vectors) {
           set_directions(work, n, batch_.o.from(first), batch_.i.from(first), batch_.m.from(first));
           continue;
         }
-        work.n = n; // no half vectors for what has no facets
+        work.n = n;
+        work.done = {};
         work.o = batch_.o.from(first);
         work.i = batch_.i.from(first);
       }
@@ -155,6 +171,7 @@ void require(const Material& material, const QuantityInfo& info, bool has_o, boo
 }
 
 void evaluate(const Material& material, std::span<const Wanted> wanted, const Batch& batch) {
+  if (!batch.m) return Evaluation(material, wanted, batch).run();
   // What does not look at a given normal has half vectors of its own.
   std::vector<Wanted> with_normal, without;
   for (const Wanted& one : wanted) (batch.m && !used_by(one.quantity, batch).m ? without : with_normal).push_back(one);

@@ -1,5 +1,7 @@
 #include "brdf/kernel_choice.hpp"
 
+#include "microfacet/masking/sheen_fit_coefficients.hpp"
+
 namespace brdfplot {
 
 std::optional<kernels::Distribution> density_kernel(const Distribution& distribution) {
@@ -30,6 +32,18 @@ std::optional<WholeKernel> whole_kernel(const Microsurface& surface) {
           return std::nullopt;
       },
       surface.shadowing);
+}
+
+std::optional<SheenKernel> sheen_kernel(const Microsurface& surface) {
+  const auto* sheen = std::get_if<Sheen>(&surface.distribution);
+  if (sheen == nullptr) return std::nullopt;
+  const SheenFitCoefficients fit(sheen->profile.alpha);
+  const kernels::SheenParameters parameters{sheen->profile.half_power(), fit.a, fit.b, fit.power, fit.d, fit.e};
+  if (std::holds_alternative<Neubelt>(surface.shadowing))
+    return SheenKernel{kernels::SheenMasking::unmasked, parameters};
+  if (std::holds_alternative<SheenFit>(surface.masking) && std::holds_alternative<HeightCorrelated>(surface.shadowing))
+    return SheenKernel{kernels::SheenMasking::fitted, parameters};
+  return std::nullopt;
 }
 
 } // namespace brdfplot

@@ -2,6 +2,7 @@
 /// Which batch kernels compute what of a microsurface.
 #pragma once
 
+#include "math/kernels/cloth.hpp"
 #include "math/kernels/kernels.hpp"
 #include "microfacet/microsurface.hpp"
 
@@ -20,5 +21,13 @@ using WholeKernel = std::pair<kernels::Distribution, kernels::Shadowing>;
 
 /// The kernel that computes the whole BRDF but its Fresnel term, where there is one.
 std::optional<WholeKernel> whole_kernel(const Microsurface& surface);
+
+/// A kernel of the same for sheen, where its masking has one: the published fit with correlated heights, or the
+/// denominator of Neubelt and Pettineo.
+struct SheenKernel {
+  kernels::SheenMasking masking;
+  kernels::SheenParameters parameters;
+};
+std::optional<SheenKernel> sheen_kernel(const Microsurface& surface);
 
 } // namespace brdfplot

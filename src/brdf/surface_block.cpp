@@ -1,5 +1,7 @@
 #include "brdf/surface_block.hpp"
 
+#include "math/kernels/directions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -19,20 +21,6 @@ double careful_dot(const Direction& u, const Direction& v) {
 }
 
 namespace {
-
-/// The half vectors; 0 where they are undefined (i = -o).
-void compute_half_vectors(SurfaceBlock& block) {
-  for (std::size_t k = 0; k < block.n; ++k) {
-    const double x = block.o.x[k] + block.i.x[k];
-    const double y = block.o.y[k] + block.i.y[k];
-    const double z = block.o.z[k] + block.i.z[k];
-    const double norm2 = x * x + y * y + z * z; // of unit vectors: 0 or no less than 1e-33
-    const double scale = norm2 > 0 ? 1 / std::sqrt(norm2) : 0;
-    block.half_x[k] = x * scale;
-    block.half_y[k] = y * scale;
-    block.half_z[k] = z * scale;
-  }
-}
 
 /// c Lambda or c / G1 of a formula, which are wanted where the direction is above the mesosurface and sees the facet.
 void mask_by_formula(const CustomMasking& masking, const SlopeMap& map, const SurfaceBlock& block, const Columns& omega,
@@ -138,7 +126,7 @@ void set_directions(SurfaceBlock& block, std::size_t n, const Columns& o, const 
   block.has_half = !m && o && i;
   if (m) return;
   if (block.has_half) {
-    compute_half_vectors(block);
+    kernels::half_vectors(vectors(o), vectors(i), block.half_x.data(), block.half_y.data(), block.half_z.data(), n);
   } else {
     block.half_x.fill(0);
     block.half_y.fill(0);

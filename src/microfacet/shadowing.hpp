@@ -61,7 +61,9 @@ struct NoShadowing {
 
 struct Separable {
   static ModelSpec spec() {
-    return {.type = "separable", .doc = "G2 = G1(o) G1(i)", .source = "Walter et al. 2007; Heitz 2014, Eq. 98"};
+    return {.type = "separable",
+            .doc = "G2 = G1(o) G1(i)",
+            .source = "Walter et al. 2007; Heitz 2014, Eq. 98; Akenine-Moller et al. 2018, Eq. 9.27"};
   }
   static Separable from(const Values&) { return {}; }
   static constexpr bool needs_lambda = false;
@@ -89,7 +91,7 @@ struct HeightCorrelated {
   static ModelSpec spec() {
     return {.type = "height_correlated",
             .doc = "G2 = 1 / (1 + Lambda(o) + Lambda(i))",
-            .source = "Ross et al. 2005; Heitz 2014, Eq. 99"};
+            .source = "Ross et al. 2005; Heitz 2014, Eq. 99; Akenine-Moller et al. 2018, Eq. 9.31"};
   }
   static HeightCorrelated from(const Values&) { return {}; }
   static constexpr bool needs_lambda = true;
@@ -105,7 +107,7 @@ struct DirectionCorrelated {
   static ModelSpec spec() {
     return {.type = "direction_correlated",
             .doc = "G2 = lambda G1(o) G1(i) + (1 - lambda) min(G1(o), G1(i))",
-            .source = "Ashikhmin et al. 2000; Heitz 2014, Eq. 100",
+            .source = "Ashikhmin et al. 2000; Heitz 2014, Eq. 100; Akenine-Moller et al. 2018, Eq. 9.28",
             .parameters = {direction_factor_parameter()}};
   }
   static DirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }
@@ -124,7 +126,7 @@ struct HeightDirectionCorrelated {
   static ModelSpec spec() {
     return {.type = "height_direction_correlated",
             .doc = "G2 = 1 / (1 + max(Lambda(o), Lambda(i)) + lambda min(Lambda(o), Lambda(i)))",
-            .source = "van Ginneken et al. 1998; Heitz 2014, Eq. 101",
+            .source = "van Ginneken et al. 1998; Heitz 2014, Eq. 101; Akenine-Moller et al. 2018, Eq. 9.32",
             .parameters = {direction_factor_parameter()}};
   }
   static HeightDirectionCorrelated from(const Values& values) { return {direction_factor_from(values)}; }

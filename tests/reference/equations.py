@@ -3,6 +3,9 @@
 
     equations.py BRDFPLOT docs/equations.md           compares: exit code 1 where the page is not what it should be
     equations.py --write BRDFPLOT docs/equations.md   writes the page
+
+Every number of a text has a line: what names it as its source, or what equations_stated.py says of it. A number that
+neither has, or both, is an error.
 """
 
 import re
@@ -10,79 +13,144 @@ import subprocess
 import sys
 from pathlib import Path
 
-# How `brdfplot list` names a text, and its heading on the page.
-TEXTS = {
-    "Heitz 2014": "Heitz 2014",
-    "Kelemen and Szirmay-Kalos 2001": "Kelemen and Szirmay-Kalos 2001",
-    "Akenine-Moller et al. 2018": "Real-Time Rendering, 4th edition, chapter 9 (Akenine-Möller et al. 2018)",
-}
+from equations_stated import STATED, TEXTS
+
 HEAD = """# Where equations are
 
-What `brdfplot list` names as source, by equation: `ninja equations` writes this page, and a test compares it. Angles,
-means and other steps on the way have no key of their own; Heitz's Table 3 is `brdfplot check`.
+Every numbered equation of three texts: what `brdfplot list` names as source, and of the others what they are. A
+definition, a step on the way or another way to write what stands elsewhere has no key of its own. `ninja equations`
+writes this page; a test compares it, and fails where a number is missing.
 """
-# A heading of `brdfplot list`, and how what stands below it is asked for.
-SECTIONS = [("Distributions", "distribution"), ("Masking functions", "masking"), ("Masking with shadowing", "shadowing"),
-            ("Fresnel", "fresnel"), ("Terms", "term"), ("Quantities", "quantity"), ("Surfaces (", "surface"),
-            ("Measures", "measure"), ("Surfaces in profile", "profile")]
+# A group of `brdfplot list`, and how what is in it is asked for.
+GROUPS = {"distributions": "distribution", "masking": "masking", "shadowing": "shadowing", "fresnel": "fresnel",
+          "terms": "term", "quantities": "quantity", "properties": "property", "measures": "measure"}
+# What tells of itself in a line, with its source at the end, and of quantities with Heitz's number in the text.
+IN_A_LINE = ("quantity", "property", "measure")
+# What equations_stated.py may name besides: variables of figures, and a source of simulated series.
+NOT_LISTED = {"a", "theta_h", "smith_walk"}
 
 
-def entries(listing):
-    """(kind, key, doc with its source) of every model, quantity, surface and measure."""
-    kind = key = None
-    text = []
-    for line in listing.splitlines() + ["end"]:
-        heading = not line.startswith(" ")
+def lines_of(listing):
+    """[(key, [lines])] of a group: its heading is not indented, a key is by two."""
+    found = []
+    for line in listing.splitlines()[1:]:
         name = re.match(r"  (\S+)(.*)", line)
-        if heading or name:
-            if key:
-                yield kind, key, " ".join(text)
-            key, text = None, []
-        if heading:
-            kind = next((k for start, k in SECTIONS if line.startswith(start)), kind)
-        elif name:
-            key, text = name[1], [name[2].strip()]
+        if name:
+            found.append((name[1], [name[2].strip()]))
+        elif line.strip():
+            found[-1][1].append(line)
+    return found
+
+
+def parts_of(lines):
+    """The doc, the source, and [(key, doc)] of the parameters of a model."""
+    doc, source, parameters, into = [], [], [], None
+    for line in lines[1:]:
+        parameter = re.match(r" {6}(\w+)  +(\S.*)", line)
+        text = line.strip()
+        if source and source[-1].endswith("]") and parameter:
+            parameters.append((parameter[1], [parameter[2]]))
+            into = parameters[-1][1]
+        elif source and source[-1].endswith("]"):
+            if line.startswith(" " * 7) and into is not None:
+                into.append(text)
+        elif source or text.startswith("["):
+            source.append(text)
         else:
-            text.append(line.strip())
+            doc.append(text)
+    return " ".join(doc), " ".join(source), [(key, " ".join(words)) for key, words in parameters]
 
 
 def equations(source):
-    """The equations that a source names of each text: [(text, "27", 27.0)]."""
-    for part in source.split(";"):
-        for text in TEXTS:
-            if not part.strip().startswith(text):
+    """The equations that a source names of each text: [(text, label, first, last)]."""
+    for part in re.split(r"[;\[\]()]", source):
+        for text, (aliases, _, _) in TEXTS.items():
+            if not part.strip().startswith(aliases):
                 continue
             for numbers in re.findall(r"Eqs?\. ([0-9][0-9., -]*)", part):
                 for first, last in re.findall(r"([0-9]+(?:\.[0-9]+)?)(?:-([0-9]+(?:\.[0-9]+)?))?", numbers):
-                    yield text, f"{first}–{last}" if last else first, [int(n) for n in first.split(".")]
+                    yield text, first, last or first
 
 
-def page(listing):
-    rows = {text: [] for text in TEXTS}
-    for kind, key, doc in entries(listing):
-        found = re.search(r"\[([^\]]*[0-9]{4}[^\]]*)\]", doc)
-        source = found[1] if found else ""
-        if kind == "quantity" and not found:  # Heitz's, in the text itself
-            source = "; ".join("Heitz 2014, " + e for e in re.findall(r"Eqs?\. [0-9][0-9, -]*", doc))
-        for text, label, order in equations(source):
-            what = re.sub(r";? (needs omega|takes ).*", "", doc[:found.start()] if found else doc).strip(" ;")
-            what = what.split(":")[0] if len(what) > 120 else what
-            rows[text].append((order, label, f"{kind} `{key}`", what.replace("|", "\\|")))
-    lines = [HEAD]
-    for text, heading in TEXTS.items():
-        lines += [f"## {heading}\n", "| equation | what it is | where |", "| --- | --- | --- |"]
-        lines += [f"| {label} | {what} | {where} |" for _, label, where, what in sorted(rows[text])]
-        lines.append("")
-    return "\n".join(lines)
+def number(label):
+    return int(label.split(".")[-1])
+
+
+def shortened(doc):
+    doc = re.sub(r"[;,]? (needs omega|takes |Eqs?\. ).*", "", re.sub(r"\[.*?\]", "", doc)).strip(" ;,")
+    return (doc.split(":")[0] if len(doc) > 120 else doc).replace("|", "\\|")
+
+
+class Page:
+    """Lines of each text, and which of its numbers have one."""
+
+    def __init__(self):
+        self.rows = {text: {} for text in TEXTS}
+        self.named = {text: set() for text in TEXTS}
+        self.keys = set()
+
+    def add(self, source, what, kind, key):
+        self.keys.add(key)
+        for text, first, last in equations(source):
+            self.rows[text].setdefault((number(first), number(last), first, what, kind), []).append(key)
+            self.named[text] |= set(range(number(first), number(last) + 1))
+
+    def read(self, kind, listing):
+        for key, lines in lines_of(listing):
+            self.keys.add(key)
+            if kind in IN_A_LINE:
+                text = " ".join(line.strip() for line in lines)
+                own = "; ".join(f"Heitz 2014, {e}" for e in re.findall(r"Eqs?\. [0-9][0-9, -]*", text))
+                source = re.search(r"\[([^\]]*[0-9]{4}[^\]]*)\]", text)
+                self.add(source[1] if source else own if kind == "quantity" else "", shortened(text), kind, key)
+                continue
+            doc, source, parameters = parts_of(lines)
+            self.add(source, shortened(doc), kind, key)
+            for parameter, about in parameters:
+                self.add(about, shortened(re.sub(r" \([^()]*[0-9]{4}[^()]*\).*|;.*", "", about)), f"parameter `{parameter}` of {kind}", key)
+
+    def faults(self):
+        """What is missing, said twice, or said of what there is not."""
+        for text, (_, heading, numbers) in TEXTS.items():
+            stated = [n for first, last, _, _ in STATED[text] for n in range(first, last + 1)]
+            for n in numbers:
+                lines = (n in self.named[text]) + stated.count(n)
+                if lines == 0:
+                    yield f"{heading}: no model names equation {n}, and equations_stated.py says nothing of it"
+                elif lines > 1:
+                    yield f"{heading}: equation {n} has a model or a line already: leave it out of equations_stated.py"
+            for _, _, _, where in STATED[text]:
+                for name in re.findall(r"`(\w+)`", where):
+                    if name not in self.keys | NOT_LISTED:
+                        yield f"{heading}: equations_stated.py names `{name}`, which brdfplot list has not"
+
+    def text(self):
+        lines = [HEAD]
+        for text, (_, heading, _) in TEXTS.items():
+            prefix = "9." if text.startswith("Akenine") else ""
+            lines += [f"## {heading}\n", "| equation | what it is | where |", "| --- | --- | --- |"]
+            rows = [(first, last, what, f"{kind} " + ", ".join(f"`{k}`" for k in keys))
+                    for (first, last, _, what, kind), keys in self.rows[text].items()]
+            rows += STATED[text]
+            for first, last, what, where in sorted(rows):
+                label = f"{prefix}{first}" + (f"–{prefix}{last}" if last > first else "")
+                lines.append(f"| {label} | {what} | {where} |")
+            lines.append("")
+        return "\n".join(lines)
 
 
 def main():
     write = sys.argv[1:2] == ["--write"]
     binary, path = sys.argv[-2:]
-    made = page(subprocess.run([binary, "list"], capture_output=True, text=True, check=True).stdout)
+    page = Page()
+    for group, kind in GROUPS.items():
+        page.read(kind, subprocess.run([binary, "list", group], capture_output=True, text=True, check=True).stdout)
+    faults = list(page.faults())
+    if faults:
+        sys.exit("\n".join(faults))
     if write:
-        Path(path).write_text(made, encoding="utf-8")
-    elif Path(path).read_text(encoding="utf-8") != made:
+        Path(path).write_text(page.text(), encoding="utf-8")
+    elif Path(path).read_text(encoding="utf-8") != page.text():
         sys.exit(f"{path} is not what `brdfplot list` says: ninja equations")
 
 

@@ -15,7 +15,7 @@ struct FacetDiffuse {
   static ModelSpec spec() {
     return {.type = "facet_diffuse",
             .doc = "facets that are diffuse, by quadrature over the normals",
-            .source = "Heitz 2014, Eq. 31",
+            .source = "Heitz 2014, Eqs. 26, 30-31; Akenine-Moller et al. 2018, Eq. 9.26",
             .parameters = {Colour::parameter("albedo", "of a facet, of each channel")}};
   }
   static FacetDiffuse from(const TermDescription& description);

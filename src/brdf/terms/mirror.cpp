@@ -12,6 +12,10 @@ namespace {
 
 /// Writes `value` times F(o.m) into the channels.
 void write_channels(const Mirror& mirror, SurfaceBlock& block, const Buffer& value, const ChannelRows& out) {
+  if (std::holds_alternative<NoFresnel>(mirror.fresnel)) {
+    std::copy_n(value.data(), block.n, out.rho[0]);
+    return;
+  }
   compute_reflectances(mirror.fresnel, block);
   for (std::size_t channel = 0; channel < static_cast<std::size_t>(mirror.channels()); ++channel) {
     const Buffer& f = block.reflectances[channel];
@@ -37,11 +41,7 @@ void evaluate_whole(const Mirror& mirror, const WholeKernel& kernel, bool times_
     }
     for (std::size_t k = 0; k < n; ++k) weighted[k] = block.white[k] * std::max(0.0, cosine[k]);
   }
-  const Buffer& value = times_cosine ? weighted : block.white;
-  if (std::holds_alternative<NoFresnel>(mirror.fresnel))
-    std::copy_n(value.data(), n, out.rho[0]);
-  else
-    write_channels(mirror, block, value, out);
+  write_channels(mirror, block, times_cosine ? weighted : block.white, out);
 }
 
 /// Where only the form of shadowing has no kernel: the BRDF with the masking of heights alone, times how much more the
@@ -59,6 +59,15 @@ void evaluate_by_heights(const Mirror& mirror, kernels::Distribution distributio
     const double ratio = block.visibility[k] * inverse_by_heights;
     value[k] = value[k] == 0 || ratio == 0 ? 0 : value[k] * (times_cosine ? ratio * l.c[k] : ratio);
   }
+  write_channels(mirror, block, value, out);
+}
+
+/// By the kernel of sheen.
+void evaluate_sheen(const Mirror& mirror, const SheenKernel& kernel, bool times_cosine, SurfaceBlock& block,
+                    const ChannelRows& out) {
+  Buffer value;
+  kernels::sheen_brdf(kernel.masking, kernel.parameters, vectors(block.o), vectors(block.i), times_cosine, value.data(),
+                      block.n);
   write_channels(mirror, block, value, out);
 }
 
@@ -89,6 +98,8 @@ void Mirror::evaluate(const PairBlock& pairs, SurfaceBlock& work, const ChannelR
     evaluate_whole(*this, *kernel, pairs.times_cosine, work, out);
   else if (const auto distribution = smith_kernel(surface))
     evaluate_by_heights(*this, *distribution, pairs.times_cosine, work, out);
+  else if (const auto sheen = sheen_kernel(surface))
+    evaluate_sheen(*this, *sheen, pairs.times_cosine, work, out);
   else
     evaluate_factors(*this, pairs.times_cosine, work, out);
 }

@@ -17,7 +17,8 @@ struct Mirror {
   static ModelSpec spec() {
     return {.type = "mirror",
             .doc = "facets that are mirrors: F D G2 / (4 c_o c_i)",
-            .source = "Cook and Torrance 1982; Heitz 2014, Eq. 29"};
+            .source = "Cook and Torrance 1982; Heitz 2014, Eqs. 27-29; Kelemen and Szirmay-Kalos 2001, Eq. 1; "
+                      "Akenine-Moller et al. 2018, Eq. 9.34"};
   }
   static Mirror from(const TermDescription& description);
 

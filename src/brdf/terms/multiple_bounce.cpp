@@ -9,15 +9,17 @@
 namespace brdfplot {
 
 ModelSpec MultipleBounce::spec() {
-  return {.type = "multiple_bounce",
-          .doc =
-              "what another term's microsurface reflects more than once: F_ms (1 - R_o)(1 - R_i) / (pi (1 - mean R))",
-          .source = "Kulla and Conty 2017; Akenine-Moller et al. 2018, Eqs. 9.56-9.58",
-          .parameters = {{.key = "mean_fresnel",
-                          .kind = ParameterKind::choice,
-                          .fallback = std::string("energy"),
-                          .doc = "energy: the square of the mean of F; printed: the mean, as Eq. 9.56 has it",
-                          .choices = {"energy", "printed"}}}};
+  return {
+      .type = "multiple_bounce",
+      .doc = "what another term's microsurface reflects more than once: F_ms (1 - R_o)(1 - R_i) / (pi (1 - mean R)); R "
+             "by a table of its own surface, over both angles where that is anisotropic: "
+             "configs/figures/rtr_multiple_bounce_anisotropic.json has it beside the walk, and a mean roughness",
+      .source = "Kulla and Conty 2017; Akenine-Moller et al. 2018, Eqs. 9.56-9.58",
+      .parameters = {{.key = "mean_fresnel",
+                      .kind = ParameterKind::choice,
+                      .fallback = std::string("energy"),
+                      .doc = "energy: the square of the mean of F; printed: the mean, as Eq. 9.56 has it",
+                      .choices = {"energy", "printed"}}}};
 }
 
 MultipleBounce MultipleBounce::from(const TermDescription& description) {

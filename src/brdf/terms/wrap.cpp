@@ -1,15 +1,11 @@
 #include "brdf/terms/wrap.hpp"
 
+#include "math/kernels/cloth.hpp"
+
 #include <algorithm>
 #include <numbers>
 
 namespace brdfplot {
-
-namespace {
-
-double clamped(double x) { return std::min(std::max(x, 0.0), 1.0); }
-
-} // namespace
 
 ModelSpec Wrap::spec() {
   return {
@@ -38,17 +34,12 @@ Wrap Wrap::from(const TermDescription& description) {
 
 void Wrap::evaluate(const PairBlock& block, SurfaceBlock&, const ChannelRows& out) const {
   const double share = form == Form::conserving ? 1 / ((1 + w) * (1 + w)) : 1 / (1 + w);
-  const double most = form == Form::printed ? 1 : 1 + w;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels()); ++c) {
-    const double scale = albedo.value[c] * std::numbers::inv_pi * share, turned_away = scatter.value[c];
-    for (std::size_t k = 0; k < block.n; ++k) {
-      const double l = block.i.z[k];
-      const double lit = std::min(std::max(l + w, 0.0), most);
-      const double light = scale * clamped(turned_away + std::max(l, 0.0)) * lit;
-      const double value = block.times_cosine ? light : light / l;
-      out.rho[c][k] = block.o.z[k] > 0 && (block.times_cosine || l > 0) ? value : 0;
-    }
+  kernels::WrapParameters parameters{w, form == Form::printed ? 1 : 1 + w, {}, {}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    parameters.scale[c] = albedo.value[c] * std::numbers::inv_pi * share;
+    parameters.scatter[c] = scatter.value[c];
   }
+  kernels::wrap(parameters, block.o.z, block.i.z, block.times_cosine, channels(), out.rho, block.n);
 }
 
 std::vector<double> Wrap::bends() const {

@@ -32,6 +32,10 @@ std::string text_of(const ModelChoice& choice) {
   return out + "}";
 }
 
+std::string text_of_masking(const MicrosurfaceDescription& surface) {
+  return " " + text_of(surface.masking) + " " + (surface.shadowing ? text_of(*surface.shadowing) : "");
+}
+
 } // namespace
 
 std::string defining_text(const MaterialDescription& material) {
@@ -42,6 +46,9 @@ std::string defining_text(const MaterialDescription& material) {
     if (!plain)
       out += term.name + " " + term.type + " " + text_of(term.weight) + " " + text_of({"", term.values}) + " ";
     out += text_of(term.distribution) + " " + text_of(term.fresnel);
+    if (!term.of_name.empty()) out += " of \"" + term.of_name + "\"";
+    for (const TermDescription& other : term.of)
+      out += " of (" + defining_text(MaterialDescription(other)) + text_of_masking(other) + ")";
     for (const LayerDescription& layer : term.layers)
       out += " under " + layer.coat + " " + text_of(layer.weight) + text_of({"", layer.values});
   }
@@ -54,8 +61,7 @@ std::string defining_text(const Direction& direction) {
 
 std::string defining_text(const Term& term, const std::vector<std::string>& swept) {
   std::string out = term.quantity + " " + defining_text(term.material);
-  for (const TermDescription& one : term.material.terms)
-    out += " " + text_of(one.masking) + " " + (one.shadowing ? text_of(*one.shadowing) : "");
+  for (const TermDescription& one : term.material.terms) out += text_of_masking(one);
   out += "\nat";
   for (const Setting& setting : term.at) {
     const auto* number = std::get_if<double>(&setting.value);

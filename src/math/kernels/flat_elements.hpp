@@ -5,7 +5,7 @@
 
 #include "math/kernels/brdf_elements.hpp"
 #include "math/kernels/flat.hpp"
-#include "math/kernels/fresnel_elements.hpp"
+#include "math/kernels/sampling_elements.hpp"
 
 namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE {
 
@@ -22,33 +22,31 @@ BRDFPLOT_INLINE double fifth(double x) {
 }
 
 /// 1 - m^5 for l = 1 - m, as a product of what does not cancel.
-BRDFPLOT_INLINE double one_less_fifth(double m, double l) { return l * (1 + m * (1 + m * (1 + m * (1 + m)))); }
+BRDFPLOT_INLINE double one_less_fifth(double m, double l) {
+  const double m2 = m * m;
+  return l * ((1 + m) * (1 + m2) + m2 * m2);
+}
 BRDFPLOT_INLINE double one_less_fifth(double l) { return one_less_fifth(1 - l, l); }
 
-/// Of the half vector: o + i and o - i are exact to a rounding where a dot product would cancel. Of opposite directions
-/// at grazing the sum may be so short that its square is 0: it is scaled by a power of two.
-struct HalfCosines {
-  double lh, one_less_lh; ///< l.h and what it is short of 1
-  double across2, z2;     ///< squares of the horizontal part and of z of h, of any length
+/// o + i, whose square is 4 (l.h)^2. Of opposite directions at grazing the square is 0; l.h is then below 1e-153.
+BRDFPLOT_INLINE Vector3 sum_of(const Vector3& o, const Vector3& i) { return {o.x + i.x, o.y + i.y, o.z + i.z}; }
+BRDFPLOT_INLINE double square_of(const Vector3& v) { return (v.x * v.x + v.y * v.y) + v.z * v.z; }
+
+/// l.h and what it is short of 1: o + i and o - i are exact to a rounding where a dot product would cancel.
+struct HalfCosine {
+  double lh, one_less_lh;
 };
 
-BRDFPLOT_INLINE HalfCosines half_cosines(const Vector3& o, const Vector3& i) {
-  const Vector3 sum{o.x + i.x, o.y + i.y, o.z + i.z}, gap{o.x - i.x, o.y - i.y, o.z - i.z};
-  const double size = larger(larger(magnitude(sum.x), magnitude(sum.y)), magnitude(sum.z));
-  const double up = normalizer(size);
-  const double down = 2 * from_bits<double>(bits(size) & Format<double>::exponent_mask);
-  const Vector3 s{sum.x * up, sum.y * up, sum.z * up};
-  const double across2 = s.x * s.x + s.y * s.y, z2 = s.z * s.z;
-  const double lh = 0.5 * root(across2 + z2) * down;
-  const double gap2 = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
-  return {lh, gap2 / (4 * (1 + lh)), across2, z2};
+BRDFPLOT_INLINE HalfCosine half_cosine(const Vector3& o, const Vector3& i) {
+  const double lh = 0.5 * root(square_of(sum_of(o, i)));
+  return {lh, square_of({o.x - i.x, o.y - i.y, o.z - i.z}) / (4 * (1 + lh))};
 }
 
 template <bool printed>
 BRDFPLOT_INLINE Parts disney(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
-  const double lh = half_cosines(o, i).lh, l = i.z, v = o.z;
+  const double l = i.z, v = o.z;
   const double m_l = fifth(1 - l), m_v = fifth(1 - v), rest_l = one_less_fifth(l), rest_v = one_less_fifth(v);
-  const double ss90 = p[0] * lh * lh, d90 = 0.5 + 2 * ss90;
+  const double ss90 = 0.25 * p[0] * square_of(sum_of(o, i)), d90 = 0.5 + 2 * ss90;
   const double f_d = (rest_l + d90 * m_l) * (rest_v + d90 * m_v);
   const double f_subsurface = (rest_l + ss90 * m_l) * (rest_v + ss90 * m_v);
   const double among = printed ? w / l / v : w / (l + v);
@@ -58,35 +56,60 @@ BRDFPLOT_INLINE Parts disney(const double (&p)[5], const Vector3& o, const Vecto
 
 /// k = (l.h)^2: k (0.9 - 0.4 k) (0.5 + n.h) / n.h without n.h, which may be 0.
 BRDFPLOT_INLINE Parts hammon(const Vector3& o, const Vector3& i, double w) {
-  const double lh = half_cosines(o, i).lh, k = lh * lh;
+  const double square = square_of(sum_of(o, i)), k = 0.25 * square, lh = 0.5 * root(square);
   const double rough = (0.9 - 0.4 * k) * (k * w + k * lh * (w / (i.z + o.z)));
   return {one_less_fifth(i.z) * one_less_fifth(o.z) * w, rough, w};
 }
 
+/// Squares of the horizontal part and of z of h, of any length: the sum of opposite directions at grazing may be so
+/// short that its square is 0, and is scaled by a power of two.
+struct HalfSquares {
+  double across2, z2;
+};
+
+BRDFPLOT_INLINE HalfSquares half_squares(const Vector3& o, const Vector3& i) {
+  const Vector3 sum = sum_of(o, i);
+  const double up = normalizer(larger(larger(magnitude(sum.x), magnitude(sum.y)), magnitude(sum.z)));
+  const double x = sum.x * up, y = sum.y * up, z = sum.z * up;
+  return {x * x + y * y, z * z};
+}
+
 /// cot^2 where e^(-p0 cot^2) is below 1e-390 counts as there.
 BRDFPLOT_INLINE Parts velvet(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
-  const HalfCosines h = half_cosines(o, i);
+  const HalfCosine half = half_cosine(o, i);
+  const HalfSquares h = half_squares(o, i);
   const double least = h.z2 * p[0] * (1.0 / 900);
   const double cot2 = h.z2 / not_zero(larger(h.across2, least));
   const Exponential<double> e = exponential(-(p[0] * cot2), 0.0, 1.0);
   const double inverted = scaled(h.across2 < least ? 0 : e.value, e.shifted_k) * ((1 + cot2) * (1 + cot2));
   // n.l + n.v - (n.l)(n.v)
   const double cloth = (p[1] + p[2] * inverted) * (0.25 * (w / (i.z + o.z * (1 - i.z))));
-  return {one_less_fifth(h.one_less_lh, h.lh) * w, cloth, fifth(h.one_less_lh) * cloth};
+  return {one_less_fifth(half.one_less_lh, half.lh) * w, cloth, fifth(half.one_less_lh) * cloth};
 }
 
-/// u^exponent for 0 < u <= 1, subnormal numbers too.
+/// e^x within 3e-16 of 1, x <= 0; 0 from -700.
+BRDFPLOT_INLINE double exponential_or_none(double x) {
+  const double value = normal_exponential(larger(x, -700.0));
+  return x > -700 ? value : 0;
+}
+
+/// u^exponent for 0 < u <= 1, subnormal numbers too. The logarithm x is right within 5e-16 of itself, and so is e^x
+/// within 5e-16 / e of 1, since -x e^x is at most 1 / e.
 BRDFPLOT_INLINE double power_of(double u, double exponent) {
   const bool tiny = u < 0x1p-1000;
-  const Pair<double> ln = logarithm(tiny ? u * 0x1p64 : u, 0, tiny ? 64.0 : 0.0);
-  const Pair<double> x = product(ln.high, ln.low, exponent, 0.0);
-  const bool nothing = x.high < -800;
-  const Exponential<double> e = exponential(larger(x.high, -800.0), nothing ? 0 : x.low, 1.0);
-  return nothing ? 0 : scaled(e.value, e.shifted_k);
+  const double ln = rounded_logarithm(tiny ? u * 0x1p64 : u, 0) - (tiny ? 64 * 0x1.62e42fefa39efp-1 : 0);
+  return exponential_or_none(ln * exponent);
+}
+
+/// (1 - c)^exponent, whose logarithm knows what the difference was rounded by: large powers of what is near 1.
+BRDFPLOT_INLINE double power_of_rest(double c, double exponent) {
+  const double u = 1 - c;
+  const double value = exponential_or_none(rounded_logarithm(larger(u, 0x1p-60), (1 - u) - c) * exponent);
+  return u > 0 ? value : 0;
 }
 
 BRDFPLOT_INLINE Parts uncharted2(const double (&p)[5], double v, double w) {
-  return {(p[0] * power_of(v, p[1]) + p[2] * power(v, p[3]).power + p[4]) * w, 0, 0};
+  return {(p[0] * power_of(v, p[1]) + p[2] * power_of_rest(v, p[3]) + p[4]) * w, 0, 0};
 }
 
 /// asin x = value + slope above / below for 0 <= x <= 1: for x <= 1/2 by a minimax quotient of polynomials in x^2,
@@ -114,24 +137,38 @@ BRDFPLOT_INLINE double arcsine(double x) {
 BRDFPLOT_INLINE double fujii(double roughness, const Vector3& o, const Vector3& i, double w) {
   const double x = o.x * i.x, y = o.y * i.y, rounded = x + y;
   const double s = rounded + (sum_low(x, y, rounded) + (product_low(o.x, i.x, x) + product_low(o.y, i.y, y)));
-  const double t = s > 0 ? larger(o.z, i.z) : 1;
-  return w + roughness * s * (w / t);
+  const double over_larger = w / larger(o.z, i.z);
+  return w + roughness * s * (s > 0 ? over_larger : w);
 }
 
-/// B(mu) = k1 pi - G(mu), G as in the source, with arccos as pi/2 - arcsin and every difference that cancels as a
-/// product.
-/// One division: of the arcsine and of what 1 + s divides.
-BRDFPLOT_INLINE double lost(double mu) {
-  const double s2 = larger((1 - mu) * (1 + mu), 0.0), s = root_by_products(s2);
-  const Arcsine a = arcsine_parts(mu);
-  const double inverse = 1 / ((1 + s) * a.below);
-  const double numerator = mu * ((half_pi - 2.0 / 3) * mu - (2.0 / 3) * s * (1 + s + s2));
-  const double arc = a.value + a.slope * (a.above * ((1 + s) * inverse));
-  return numerator * (a.below * inverse) + (s * arc + s2 * mu);
+/// B(mu) = k1 pi - G(mu), G as in the source, as a quotient; with arccos mu = s (pi/2 - mu psi(mu)), s = sin theta:
+///   B = mu (s^2 (psi + 1) + mu pi/2 - (2/3) (mu + s (1 + s + s^2)) / (1 + s)),
+/// where nothing cancels at either end. psi = N / D within 5e-17 for 0 <= mu <= 1, by interpolation at the zeros of
+/// Chebyshev's polynomial, in 60 digits; `both` is N + D.
+BRDFPLOT_INLINE Quotient<double> lost(double mu) {
+  constexpr double below[] = {1.0,
+                              0x1.9f156cb129ae4p+1,
+                              0x1.046de1d2bd395p+2,
+                              0x1.3d8857f8328e3p+1,
+                              0x1.81ee4f17e86edp-1,
+                              0x1.a93fa3151c8bap-4,
+                              0x1.364193dcb3be2p-8};
+  constexpr double both[] = {2.0,
+                             below[1] + 0x1.3a8d7f6018fb2p+1,
+                             below[2] + 0x1.182f91e337188p+1,
+                             below[3] + 0x1.b71a2b2730619p-1,
+                             below[4] + 0x1.2182892ee94bap-3,
+                             below[5] + 0x1.ded50dc8d1e17p-8,
+                             below[6] + 0x1.b588aef1f535cp-20};
+  const double square = mu * mu, s2 = larger((1 - mu) * (1 + mu), 0.0), s = root(s2);
+  const double d = polynomial(below, mu, square), m = polynomial(both, mu, square), denominator = (1 + s) * d;
+  const double kept = (2.0 / 3) * (mu + s * (1 + s + s2));
+  return {mu * ((s2 * (1 + s)) * m - kept * d + half_pi * mu * denominator), denominator, 0};
 }
 
 BRDFPLOT_INLINE Parts eon(const double (&p)[5], const Vector3& o, const Vector3& i, double w) {
-  return {fujii(p[0], o, i, w), lost(o.z) * lost(i.z) * w, 0};
+  const Quotient<double> v = lost(o.z), l = lost(i.z);
+  return {fujii(p[0], o, i, w), v.numerator * l.numerator * w / (v.denominator * l.denominator), 0};
 }
 
 /// What the fits of Oren and Nayar see: alpha is the larger polar angle, beta the smaller; theirs above the horizon are
@@ -184,7 +221,7 @@ BRDFPLOT_INLINE Parts parts_of(const double (&p)[5], const Vector3& o, const Vec
   if constexpr (term == FlatTerm::eon) return eon(p, o, i, w);
   if constexpr (term == FlatTerm::oren_nayar) return oren_nayar(p, o, i, w);
   if constexpr (term == FlatTerm::oren_nayar_qualitative) return oren_nayar_qualitative(p, o, i, w);
-  const HalfCosines h = half_cosines(o, i);
+  const HalfCosine h = half_cosine(o, i);
   return {(term == FlatTerm::sheen ? fifth(h.one_less_lh) : one_less_fifth(h.one_less_lh, h.lh)) * w, 0, 0};
 }
 

@@ -1,5 +1,6 @@
 #include "math/kernels/kernels.hpp"
 
+#include "math/kernels/directions.hpp"
 #include "math/kernels/isa_here.hpp"
 #include "math/kernels/table.hpp"
 
@@ -218,6 +219,22 @@ void reflectance_schlick(const double* c, double f0, double f90, double exponent
 void flat_brdf(FlatTerm term, const FlatParameters& parameters, Vectors<double> o, Vectors<double> i, bool times_cosine,
                int channels, double* const* out, std::size_t n) {
   table().flat.flat[static_cast<int>(term)][times_cosine][channels > 1](parameters, o, i, out, n);
+}
+
+void half_vectors(Vectors<double> o, Vectors<double> i, double* x, double* y, double* z, std::size_t n) {
+  table().directions.half_vectors(o, i, x, y, z, n);
+}
+
+void wrap(const WrapParameters& parameters, const double* o_z, const double* i_z, bool times_cosine, int channels,
+          double* const* out, std::size_t n) {
+  table().cloth.wrap[times_cosine][channels > 1](parameters, o_z, i_z, out, n);
+}
+
+void sheen_brdf(SheenMasking masking, const SheenParameters& parameters, Vectors<double> o, Vectors<double> i,
+                bool times_cosine, double* out, std::size_t n) {
+  const SheenParameters& k = parameters;
+  const double at_half = k.a / (1 + k.b * std::pow(0.5, k.power)) + (0.5 * k.d + k.e);
+  table().cloth.sheen[static_cast<int>(masking)][times_cosine](k, at_half, o, i, out, n);
 }
 
 void mirror_at_visible_normals(Distribution distribution, const Stretch& stretch, const SeenFrom& from,

@@ -1,6 +1,8 @@
 /// \file
 /// The kernels for AVX2 with FMA; kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE avx2
+#include "math/kernels/cloth_loops.hpp"
+#include "math/kernels/direction_loops.hpp"
 #include "math/kernels/flat_loops.hpp"
 #include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
@@ -9,6 +11,7 @@
 namespace brdfplot::kernels::detail {
 
 constinit const Table avx2_table{avx2::kernels_of<double>(), avx2::kernels_of<float>(), avx2::fresnel_kernels(),
-                                 avx2::flat_kernels(), avx2::sampling_kernels()};
+                                 avx2::flat_kernels(),       avx2::sampling_kernels(),  avx2::cloth_kernels(),
+                                 avx2::direction_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -1,6 +1,8 @@
 /// \file
 /// The kernels for every processor of the architecture; kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE baseline
+#include "math/kernels/cloth_loops.hpp"
+#include "math/kernels/direction_loops.hpp"
 #include "math/kernels/flat_loops.hpp"
 #include "math/kernels/fresnel_loops.hpp"
 #include "math/kernels/loops.hpp"
@@ -9,7 +11,8 @@
 namespace brdfplot::kernels::detail {
 
 constinit const Table baseline_table{baseline::kernels_of<double>(), baseline::kernels_of<float>(),
-                                     baseline::fresnel_kernels(), baseline::flat_kernels(),
-                                     baseline::sampling_kernels()};
+                                     baseline::fresnel_kernels(),    baseline::flat_kernels(),
+                                     baseline::sampling_kernels(),   baseline::cloth_kernels(),
+                                     baseline::direction_kernels()};
 
 } // namespace brdfplot::kernels::detail

@@ -3,6 +3,7 @@
 /// function here might be compiled with AVX-512 and then be the copy that the linker keeps for everybody.
 #pragma once
 
+#include "math/kernels/cloth.hpp"
 #include "math/kernels/flat.hpp"
 #include "math/kernels/kernels.hpp"
 #include "math/kernels/sampling.hpp"
@@ -103,12 +104,29 @@ struct SamplingKernels {
   Mirror mirror[2]; ///< [distribution]
 };
 
+/// Wrap lighting, and mirrors of sheen.
+struct ClothKernels {
+  using Wrap = void (*)(const WrapParameters&, const double*, const double*, double* const*, std::size_t);
+  using Sheen = void (*)(const SheenParameters&, double, Vectors<double>, Vectors<double>, double*, std::size_t);
+
+  Wrap wrap[2][2];   ///< [times cosine][rgb]
+  Sheen sheen[2][2]; ///< [masking][times cosine]
+};
+
+struct DirectionKernels {
+  using Half = void (*)(Vectors<double>, Vectors<double>, double*, double*, double*, std::size_t);
+
+  Half half_vectors;
+};
+
 struct Table {
   Kernels<double> for_double;
   Kernels<float> for_float;
   FresnelKernels fresnel;
   FlatKernels flat;
   SamplingKernels sampling;
+  ClothKernels cloth;
+  DirectionKernels directions;
 };
 
 extern const Table baseline_table;

@@ -1,5 +1,5 @@
 /// \file
-/// Beckmann: Gaussian slopes (Heitz 2014, Eqs. 67-69, 81-83).
+/// Beckmann: Gaussian slopes (Heitz 2014, Eqs. 67-69, 81-83; Akenine-Moller et al. 2018, Eqs. 9.35, 9.38, 9.52).
 #pragma once
 
 #include "microfacet/beckmann_lambda.hpp"
@@ -15,7 +15,8 @@ struct BeckmannShape {
   static ModelSpec about() {
     return {.type = "beckmann",
             .doc = "Gaussian slopes; alpha is sqrt(2) times their root mean square",
-            .source = "Beckmann and Spizzichino 1963; Heitz 2014, Eqs. 67-69, 81-83"};
+            .source = "Beckmann and Spizzichino 1963; Heitz 2014, Eqs. 67-69, 81-83; Akenine-Moller et al. 2018, Eqs. "
+                      "9.35, 9.38, 9.52"};
   }
 
   /// exp(-t2) / pi (Eq. 67 with alpha = 1).

@@ -174,7 +174,8 @@ ModelSpec CustomShape::about() {
   return {
       .type = "custom",
       .doc = "a shape of your own: a formula of t2, the squared slope over alpha^2, and of its root t",
-      .source = "Heitz 2014, Eq. 87; normalised and Lambda by quadrature",
+      .source = "Heitz 2014, Eqs. 73, 87; Akenine-Moller et al. 2018, Eqs. 9.36, 9.49-9.50; normalised and Lambda "
+                "by quadrature",
       .parameters = {{.key = "shape",
                       .kind = ParameterKind::formula,
                       .doc = "density of slopes up to a factor, such as exp(-t2): finite from t2 = 0 on, not "

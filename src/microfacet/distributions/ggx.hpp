@@ -1,5 +1,6 @@
 /// \file
-/// GGX, also known as Trowbridge-Reitz (Heitz 2014, Eqs. 70-72, 84-86).
+/// GGX, also known as Trowbridge-Reitz (Heitz 2014, Eqs. 70-72, 84-86; Akenine-Moller et al. 2018,
+/// Eqs. 9.41-9.42, 9.53).
 #pragma once
 
 #include "microfacet/shape_invariant.hpp"
@@ -15,7 +16,8 @@ struct GgxShape {
   static ModelSpec about() {
     return {.type = "ggx",
             .doc = "slopes with a long tail (Trowbridge-Reitz)",
-            .source = "Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014, Eqs. 70-72, 84-86"};
+            .source = "Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014, Eqs. 70-72, 84-86; Akenine-Moller et "
+                      "al. 2018, Eqs. 9.41-9.42, 9.53"};
   }
 
   /// 1 / (pi (1 + t2)^2) (Eq. 70 with alpha = 1).

@@ -11,7 +11,8 @@ ModelSpec PhongProfile::spec() {
   ModelSpec spec{
       .type = "phong",
       .doc = "power of the cosine; its own masking exact, as of Student's t with gamma = n / 2 + 2",
-      .source = "Walter et al. 2007, Eqs. 30-33; Heitz 2014, section 7; Ribardiere et al. 2017",
+      .source = "Walter et al. 2007, Eqs. 30-33; Kelemen and Szirmay-Kalos 2001, Eq. 5; Akenine-Moller et al. 2018, "
+                "Eq. 9.40; Heitz 2014, section 7; Ribardiere et al. 2017",
       .parameters =
           isotropic_roughness({.min = 1e-6, .max = std::numbers::sqrt2, .open_max = true},
                               "roughness of the Beckmann surface that is about as rough; n = 2 / alpha^2 - 2"),

@@ -60,7 +60,7 @@ ModelSpec CustomMasking::spec() {
               "a formula of your own, to see what `check` says of it: Lambda, or G1 of facing normals, of the masked "
               "direction (theta, phi; alpha is its projected roughness, a = 1 / (alpha tan theta)) and, for G1, of "
               "the normal",
-          .source = "Heitz 2014, Eqs. 43, 80, 86",
+          .source = "Heitz 2014, Eqs. 43, 80, 86; Akenine-Moller et al. 2018, Eqs. 9.37, 9.51",
           .parameters = {{.key = "lambda",
                           .kind = ParameterKind::formula,
                           .doc = "Lambda of the masked direction",

@@ -11,7 +11,7 @@ struct Kelemen {
   static ModelSpec spec() {
     return {.type = "kelemen",
             .doc = "G2 / (cos theta_o cos theta_i) = 1 / (o.h)^2; not physically based",
-            .source = "Kelemen and Szirmay-Kalos 2001; Heitz 2014, Eqs. 58-60"};
+            .source = "Kelemen and Szirmay-Kalos 2001, Eq. 2; Heitz 2014, Eqs. 58-60"};
   }
   static Kelemen from(const Values&) { return {}; }
   static constexpr bool has_lambda = false;

@@ -1,5 +1,7 @@
 #include "microfacet/masking/published_fit.hpp"
 
+#include "microfacet/masking/sheen_fit_coefficients.hpp"
+
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <algorithm>
@@ -35,12 +37,8 @@ ModelSpec SheenFit::spec() {
 }
 
 double SheenFit::masked_area(const Sheen& sheen, const Projection& p) {
-  const double r = sheen.profile.alpha;
-  const double t = (1 - r) * (1 - r);
-  const auto mix = [t](double at_0, double at_1) { return t * at_0 + (1 - t) * at_1; };
-  const double a = mix(25.3245, 21.5473), b = mix(3.32435, 3.82987), power = mix(0.16801, 0.19823),
-               d = mix(-1.27393, -1.97760), e = mix(-4.85967, -4.32054);
-  const auto l = [&](double x) { return a / (1 + b * std::pow(x, power)) + d * x + e; };
+  const SheenFitCoefficients k(sheen.profile.alpha);
+  const auto l = [&](double x) { return k.a / (1 + k.b * std::pow(x, k.power)) + k.d * x + k.e; };
   const double c = std::fabs(p.c);
   const double below = p.c < 0 ? c : 0;
   return below + c * std::exp(c < 0.5 ? l(c) : 2 * l(0.5) - l(std::max(0.0, 1 - c)));

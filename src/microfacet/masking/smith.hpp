@@ -17,7 +17,7 @@ struct Smith {
   static ModelSpec spec() {
     return {.type = "smith",
             .doc = "exact for heights independent of normals",
-            .source = "Smith 1967; Heitz 2014, Eq. 43",
+            .source = "Smith 1967; Heitz 2014, Eqs. 38-43; Akenine-Moller et al. 2018, Eqs. 9.24-9.25",
             .parameters = {{.key = "lambda_of",
                             .kind = ParameterKind::choice,
                             .fallback = std::string("itself"),

@@ -13,7 +13,7 @@ struct SmithRational {
   static ModelSpec spec() {
     return {.type = "smith_rational",
             .doc = "rational fit of Beckmann's Lambda, used with any distribution",
-            .source = "Walter et al. 2007; Heitz 2014, section 5.3"};
+            .source = "Walter et al. 2007; Heitz 2014, section 5.3; Akenine-Moller et al. 2018, Eq. 9.39"};
   }
   static SmithRational from(const Values&) { return {}; }
   static constexpr bool has_lambda = true;

@@ -1,0 +1,14 @@
+/// \file
+/// Directions over arrays of pairs. Like kernels.hpp, which says what holds of every kernel.
+#pragma once
+
+#include "math/kernels/kernels.hpp"
+
+#include <cstddef>
+
+namespace brdfplot::kernels {
+
+/// The half vectors of unit vectors; 0 where they are undefined (i = -o). The same bytes on every instruction set.
+void half_vectors(Vectors<double> o, Vectors<double> i, double* x, double* y, double* z, std::size_t n);
+
+} // namespace brdfplot::kernels
