@@ -195,9 +195,11 @@ void measure_profile(const Figure& figure, FigurePlan& plan, double width) {
   for (int round = 0; round < 5; ++round) {
     const double w = std::max(cell - insets.left - insets.right, 40.0);
     double widest = 0;
-    for (const auto& panel : plan.panels) widest = std::max(widest, bounds_of(*panel.panel->sketch).width());
+    for (const auto& panel : plan.panels)
+      if (panel.kind == Kind::profile) widest = std::max(widest, bounds_of(*panel.panel->sketch).width());
     Insets most{margin, margin, 4, 2};
     for (auto& panel : plan.panels) {
+      if (panel.kind != Kind::profile) continue;
       const double own = bounds_of(*panel.panel->sketch).width();
       set_scale(panel, w, w / (figure.share == Share::none ? own : widest));
       place_labels(panel, arrow_length(cell));
