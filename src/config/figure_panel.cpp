@@ -141,7 +141,8 @@ private:
     if (kind_ != plot::Kind::polar || panel.x.column != "theta_i" || !lobe)
       file_.fail(at, "accepted: in a polar plot over theta_i, \"brdf_cos\" simulated by \"surface\"");
     const Expression& first = panel.series.at(0).value;
-    if (first.operation != Expression::Operation::term || first.term.simulate)
+    if (first.operation != Expression::Operation::term ||
+        (first.term.simulate && first.term.simulate->source != "bins"))
       file_.fail(at, "the first series is no computed quantity");
     return reference.term;
   }

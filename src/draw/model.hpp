@@ -41,13 +41,13 @@ struct Series {
   int style = 0;
   /// In [0, 1]: the place in a sequential ramp, for families such as alpha = 0.1 ... 1; absent: categorical palette.
   std::optional<double> ramp;
-  /// The channel of which the curve is: drawn in its colour, and `style` tells materials apart by dashes.
-  std::optional<Hue> hue{};
   /// Standard error of each y, drawn as bars or a band of twice its size; empty: y is exact.
   std::vector<double> error{};
   /// Of each point: a dot with this name beside it, instead of a line; an empty name: the dot alone. Empty: a line.
   /// Kind::lines only. A name that has no room without covering another, a dot or the frame is the dot's title.
   std::vector<std::string> names{};
+  /// The channel of which the curve is: drawn in its colour, and `style` tells materials apart by dashes.
+  std::optional<Hue> hue{};
 };
 
 /// A direction of a polar plot, drawn as an arrow from (or, when `incoming`, towards) the surface point.
@@ -96,10 +96,13 @@ struct Sketch {
   std::vector<Line> surface{};      ///< the body below it, if it is one: the upper edges of it
   std::vector<Line> rays{};         ///< that leave the surface
   std::vector<Line> stopped_rays{}; ///< that meet it again, from their beginning to there
-  std::vector<Line> sight_lines{};  ///< from the ends of what is visible to the line on which it is projected
-  std::vector<Line> projection{};   ///< what is visible, on that line
-  std::vector<Line> mesosurface{};  ///< none or one
-  std::vector<Pointer> normals{};   ///< short arrows without label
+  std::vector<Line> once{}; ///< paths of light that are reflected once: the ray to the surface and the one from it
+  std::vector<Line> more_often{};  ///< those that are reflected more often
+  std::vector<Pointer> exits{};    ///< where paths leave
+  std::vector<Line> sight_lines{}; ///< from the ends of what is visible to the line on which it is projected
+  std::vector<Line> projection{};  ///< what is visible, on that line
+  std::vector<Line> mesosurface{}; ///< none or one
+  std::vector<Pointer> normals{};  ///< short arrows without label
   std::vector<Pointer> arrows{};
 };
 

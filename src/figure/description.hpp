@@ -97,6 +97,8 @@ struct ProfileDescription {
   std::optional<double> omega_o, omega_i;
   int normals = 0;                    ///< how many are drawn
   int rays = 0;                       ///< from so many points towards omega_o
+  int paths = 0;                      ///< of light from omega_o, by mirrors, to so many points
+  int bounces = 4;                    ///< of a path at most
   bool projection = false;            ///< what is visible is projected on a line across omega_o
   bool mesosurface = false;           ///< whether the mesosurface is drawn
   std::vector<std::string> arrows{};  ///< omega_o, omega_i, omega_g, omega_m

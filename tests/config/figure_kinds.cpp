@@ -61,18 +61,20 @@ TEST_CASE("figures: panels of every kind in one figure") {
   const std::string profile = R"({"title": "cut", "kind": "profile", "profile": {"surface": {"type": "flat"}}})";
   const std::string sphere = R"({"title": "ball", "kind": "spheres", "sphere": {"pixels": 16, "lights": [
     {"type": "directional", "theta": "30deg", "irradiance": 3}]}})";
-  const auto described =
-      load(figure_text(ggx + R"("cells": 4, "columns": 2, "x": {"unit": "degrees"}, )",
-                       g1_panel + "," + lobe_panel(R"({"quantity": "brdf"})") + "," + heatmap + "," + sphere));
+  const auto described = load(figure_text(ggx + R"("cells": 4, "columns": 2, "x": {"unit": "degrees"}, )",
+                                          g1_panel + "," + lobe_panel(R"({"quantity": "brdf"})") + "," + heatmap + "," +
+                                              sphere + "," + profile));
   CHECK(plot::kind_in(described, described.panels[0]) == plot::Kind::lines);
   CHECK(plot::kind_in(described, described.panels[1]) == plot::Kind::polar);
   CHECK(plot::kind_in(described, described.panels[2]) == plot::Kind::heatmap);
   CHECK(plot::kind_in(described, described.panels[3]) == plot::Kind::spheres);
+  CHECK(plot::kind_in(described, described.panels[4]) == plot::Kind::profile);
   const plot::Figure figure = plot::compute(described);
   const std::string svg = plot::to_svg(figure), csv = plot::to_csv(figure);
-  for (const char* part : {"bp-line", "bp-cells", "data:image/png", " A"}) CHECK_MESSAGE(contains(svg, part), part);
-  for (const char* row : {"panel,series,theta_o,theta_i,alpha,position,value\n", "\ncurve,,0,,,,1\n", "\nlobe,,,-",
-                          "\nmap,,0.125,,0.2125,,", "\nball,"})
+  for (const std::string part : {"bp-line", "bp-cells", "data:image/png", ">−90°<"})
+    CHECK_MESSAGE(contains(svg, part), part);
+  for (const std::string row : {"panel,series,theta_o,theta_i,alpha,position,x,value\n", "\ncurve,,0,,,,,1\n",
+                                "\nlobe,,,-", "\nmap,,0.125,,0.21250000000000002,,,", "\nball,", "\ncut,"})
     CHECK_MESSAGE(contains(csv, row), row);
 }
 
@@ -150,7 +152,7 @@ TEST_CASE("figures: an angle that follows nothing") {
   check(R"("theta_o": 1, "phi_i": "phi_o+x")", "at/phi_i", "accepted: a number");
   check(R"("theta_o": 1, "alpha": "phi_o")", "at/alpha", "theta and phi of o, i and m may follow each other");
   check(R"("theta_o": "theta_m")", "series/0", "\"theta_o\" follows \"theta_m\", which is not set");
-  check(R"("theta_o": "phi_o", "phi_o": "theta_o")", "at/theta_o", "follows itself");
+  check(R"("theta_o": "phi_o", "phi_o": "theta_o")", "at/phi_o", "follows itself");
 }
 
 TEST_CASE("figures: labels of series without one are made from what differs") {
@@ -167,8 +169,8 @@ TEST_CASE("figures: labels of series without one are made from what differs") {
   CHECK(labels(R"({"quantity": "brdf"}, {"quantity": "brdf_cos"})") == Labels{"brdf", "brdf\\_cos"});
   CHECK(labels(R"({"quantity": "brdf"}, {"quantity": "brdf", "material": "flat_paint"})") ==
         Labels{"gold", "flat\\_paint"});
-  CHECK(labels(R"({"quantity": "brdf", "for_each": {"variable": "alpha_x", "values": [0.1, 0.3]}})") ==
-        Labels{"α_x = 0.1", "α_x = 0.3"});
+  CHECK(labels(R"({"quantity": "brdf", "for_each": {"variable": "alpha", "values": [0.1, 0.3]}})") ==
+        Labels{"α = 0.1", "α = 0.3"});
   CHECK(labels(R"({"quantity": "brdf", "for_each": [{"variable": "theta_o", "values": ["10deg", "60deg"]},
     {"variable": "phi_i", "values": [0, "-phi_o", "phi_o-30deg"]}]})")[5] == "θ_o = 60°, φ_i = φ_o − 30°");
   CHECK(labels(R"({"quantity": "brdf"}, {"quantity": "brdf", "at": {"masking": "v_cavity"}})") ==
