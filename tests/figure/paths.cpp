@@ -28,7 +28,7 @@ TEST_CASE("paths: one facet reflects once, into the mirror direction") {
 TEST_CASE("paths: a right angle sends light back from where it came, after two reflections") {
   // A V of facets at 45 degrees.
   const std::vector<Segment> groove = {{0, 1, 1, 0}, {1, 0, 2, 1}};
-  for (const double angle : {-20.0, 0.0, 10.0, 30.0}) {
+  for (const double angle : {-20.0, 0.0, 10.0, 20.0}) {
     CAPTURE(angle);
     const MirrorPath path = mirror_path(groove, 0, 0.6, angle * degree, 4);
     REQUIRE(path.points.size() == 2);

@@ -119,24 +119,38 @@ bool has_undefined_cells(const Panel& panel) {
 
 } // namespace
 
+namespace {
+
+/// Profiles beside other kinds keep their legends: their colours are those of sight.
+bool stands_alone(const Figure& figure, const Panel& panel) {
+  const auto profile = [&](const Panel& one) { return kind_in(figure, one) == Kind::profile; };
+  return profile(panel) && !std::ranges::all_of(figure.panels, profile);
+}
+
+} // namespace
+
 LegendPlan plan_legend(const Figure& figure) {
   LegendPlan plan;
   const auto contour_labels = contour_labels_of(figure);
   std::vector<std::vector<Item>> items;
   for (const auto& panel : figure.panels) items.push_back(items_of(panel, kind_in(figure, panel), contour_labels));
-  const bool share = can_share(items);
+  std::vector<std::vector<Item>> common;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!stands_alone(figure, figure.panels[i])) common.push_back(items[i]);
+  const bool can = can_share(common);
   std::vector<Item> all;
-  for (const auto& list : items) add_distinct(all, list);
+  for (const auto& list : common) add_distinct(all, list);
 
   plan.own.resize(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     std::vector<Item> own;
     add_distinct(own, items[i]);
+    const bool share = can && !stands_alone(figure, figure.panels[i]);
     if (!share) plan.own[i] = entries_of(own);
     plan.looks.emplace_back();
     for (const auto& item : items[i]) plan.looks.back().push_back(look_in(item, share ? all : own));
   }
-  if (share) plan.shared = entries_of(all);
+  if (can) plan.shared = entries_of(all);
   if (std::any_of(figure.panels.begin(), figure.panels.end(), has_undefined_cells)) {
     plan.shared.push_back({"undefined", {}, LegendEntry::Sample::undefined});
   }
