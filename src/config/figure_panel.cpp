@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace brdfplot::config {
 
@@ -18,8 +19,8 @@ using plot::Expression;
 
 class PanelReader {
 public:
-  PanelReader(const PanelContext& context, const Json& object, const std::string& pointer)
-      : context_(context), file_(context.file), object_(object), pointer_(pointer),
+  PanelReader(const PanelContext& context, const Json& object, std::string pointer)
+      : context_(context), file_(context.file), object_(object), pointer_(std::move(pointer)),
         kind_(object.contains("kind") ? kind_named(object["kind"].get<std::string>()) : context.kind) {}
 
   plot::PanelDescription read(Scope scope) const {
