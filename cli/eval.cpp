@@ -7,12 +7,14 @@
 #include "command.hpp"
 #include "config/load.hpp"
 #include "models/parameters.hpp"
+#include "stream/grid.hpp"
 #include "stream/stream.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace brdfplot::cli {
 
@@ -21,7 +23,8 @@ namespace {
 struct EvalFlags {
   std::string material;
   std::vector<std::string> quantities;
-  std::string input = "-";
+  std::string input;
+  std::vector<std::string> grid;
   std::string output = "-";
   std::string tolerance;
   std::string precision = "double";
@@ -60,9 +63,16 @@ int run(const EvalFlags& flags, const Settings& settings) {
   if (!flags.strategy.empty()) options.strategy = flags.strategy;
   Material material = build(config::load_material(flags.material));
   material.name = flags.material; // errors name the material by its file
-  InputFile in(flags.input);
+  if (!flags.grid.empty() && !flags.input.empty())
+    throw InputError("--grid", "found beside -i; accepted: one of the two");
+  std::optional<InputFile> file;
+  std::unique_ptr<RowSource> in;
+  if (flags.grid.empty())
+    in = std::make_unique<FileRows>(file.emplace(flags.input.empty() ? "-" : flags.input));
+  else
+    in = std::make_unique<GridRows>(flags.grid, "--grid");
   OutputFile out(flags.output);
-  evaluate_stream(material, options, in, out);
+  evaluate_stream(material, options, *in, out);
   out.commit();
   return 0;
 }
@@ -71,7 +81,7 @@ int run(const EvalFlags& flags, const Settings& settings) {
 
 Command add_eval(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<EvalFlags>();
-  CLI::App* command = app.add_subcommand("eval", "Quantities of a material for the directions of a CSV");
+  CLI::App* command = app.add_subcommand("eval", "Quantities of a material for the directions of a CSV or a grid");
   command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
   command
       ->add_option("-q,--quantities", flags->quantities,
@@ -85,6 +95,12 @@ Command add_eval(CLI::App& app, const Settings& settings) {
           "horizon G1 and the BRDF are 0; 90deg is above it, by the 6e-17 that its cosine is in doubles. "
           "phi at the normal means nothing: what depends on a difference of azimuths takes 0")
       ->type_name("FILE|-");
+  command
+      ->add_option("--grid", flags->grid,
+                   "Directions instead of a CSV: theta_o=0:90deg:1deg, or theta_o=60deg; of several --grid every "
+                   "combination, the last the fastest. Written in radians")
+      ->type_name("NAME=FROM:TO:STEP")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", flags->output, "Every input column, then one per quantity; default: stdout")
       ->type_name("FILE|-");
   command->add_option("--tolerance", flags->tolerance, "Largest error accepted of integrals; default: 1e-9")

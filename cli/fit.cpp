@@ -45,12 +45,14 @@ void write_files(const FitResult& result, double tolerance, const std::string& f
                     {in_folder(folder, id + "_error.csv"), plot::to_csv(figure)}});
 }
 
-/// The fit; what the material has that cannot be fitted, is said of the file.
+/// The fit; what the material has that cannot be fitted, or not so well, is said of the file.
 FitResult fit_of(const FitFlags& flags, const MaterialDescription& material, const FitOptions& options) {
   try {
     return fit_lambda(material, options);
   } catch (const MaterialError& error) {
     throw InputError(flags.material + ": " + error.pointer(), error.reason());
+  } catch (const AccuracyError& error) {
+    throw AccuracyError(flags.material, error.what());
   }
 }
 

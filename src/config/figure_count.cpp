@@ -50,7 +50,7 @@ public:
     double samples = 1;
     for (const Json* level : {&root, &panel})
       if (level->contains("x")) samples = (*level)["x"].value("samples", samples);
-    if (root["kind"] == "heatmap") {
+    if (panel.value("kind", root["kind"]) == "heatmap") {
       const double cells = root.value("cells", plot::FigureDescription{}.cells);
       samples = cells * cells;
     }
@@ -64,7 +64,9 @@ public:
     for (std::size_t k = 0; k < panel["series"].size(); ++k) {
       const Json& one = panel["series"][k];
       const std::string at = pointer + "/series/" + std::to_string(k);
-      const double series = panels * repetitions(one);
+      std::string channel;
+      for (const Json* level : {&root, &panel, &one}) channel = level->value("channel", channel);
+      const double series = panels * repetitions(one) * (channel == "rgb" ? 3 : 1);
       add(series_, series, most_series, "series", at);
       add(points_, series * samples, most_points, "points", at);
       add(simulated_, series * simulated_samples(one), most_simulated, "simulated points", at);

@@ -72,7 +72,7 @@ private:
       return out;
     }
     if (value.contains("x") == value.contains("take")) file_.fail(pointer, "accepted: one of \"x\" and \"take\"");
-    const bool grid = figure_.kind == plot::Kind::heatmap;
+    const bool grid = plot::kind_in(figure_, panel) == plot::Kind::heatmap;
     if (grid) reject(value, pointer, {"series", "x", "from", "to", "show"}, "heatmap");
     out.any_series = value.contains("take") && !value.contains("series");
     if (!out.any_series) out.series = series(value, pointer, panel);

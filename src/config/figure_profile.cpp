@@ -22,6 +22,9 @@ ShapePtr profile_shape() {
          {"omega_i", angle(), false, "towards the light"},
          {"normals", whole_number(0, 200), false, "how many normals are drawn; default none"},
          {"rays", whole_number(0, 200), false, "from how many points rays go to the viewer; default none"},
+         {"paths", whole_number(0, 200), false,
+          "light from omega_o to so many points, reflected by mirrors, in the plane of the cut; default none"},
+         {"bounces", whole_number(1, 16), false, "of a path at most; default 4"},
          {"projection", boolean(), false, "whether what is visible is projected on a line across omega_o"},
          {"mesosurface", boolean(), false, "whether the mesosurface is drawn"},
          {"arrows", array(choice(plot::profile_arrows()), 1), false, "directions drawn at one visible point"},
@@ -49,6 +52,8 @@ plot::ProfileDescription read_profile(const JsonFile& file, const Json& panel, c
   whole("cells", out.cells);
   whole("normals", out.normals);
   whole("rays", out.rays);
+  whole("paths", out.paths);
+  whole("bounces", out.bounces);
   out.stretch = merged.value("stretch", out.stretch);
   out.shear = merged.value("shear", out.shear);
   if (merged.contains("omega_o")) out.omega_o = to_number(merged["omega_o"]);

@@ -4,13 +4,40 @@
 #include "base/number.hpp"
 #include "figure/series/simulated.hpp"
 
+#include <cmath>
+
 namespace brdfplot::config {
 
 bool is_numeric(const Json& value) { return angle()->matches(value); }
 
+namespace {
+
+/// "phi_o+180deg" or "-theta_o"; nothing where it is no such text.
+std::optional<plot::Tie> parse_tie(std::string text) {
+  std::erase(text, ' ');
+  plot::Tie out;
+  if (text.starts_with("-")) {
+    out.sign = -1;
+    text.erase(0, 1);
+  }
+  if (!text.starts_with("theta_") && !text.starts_with("phi_")) return std::nullopt;
+  const auto end = text.find_first_of("+-");
+  out.to = text.substr(0, end);
+  if (end == std::string::npos) return out;
+  const std::string offset = text.substr(text[end] == '+' ? end + 1 : end);
+  const auto angle = parse_angle(offset);
+  if (!angle || parse_number(offset) || !std::isfinite(*angle)) return std::nullopt;
+  out.offset = *angle;
+  return out;
+}
+
+} // namespace
+
 plot::Setting to_setting(const std::string& variable, const Json& value) {
   if (is_numeric(value)) return {variable, to_number(value)};
-  return {variable, value.get<std::string>()};
+  const auto text = value.get<std::string>();
+  if (const auto tie = parse_tie(text)) return {variable, *tie};
+  return {variable, text};
 }
 
 std::string word_for(const Json& value) {

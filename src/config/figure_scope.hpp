@@ -15,6 +15,8 @@ namespace brdfplot::config {
 /// What outer levels hand down: figure to panel to series to operand.
 struct Scope {
   std::optional<MaterialDescription> material;
+  std::string material_name; ///< in labels
+  bool each_channel = false; ///< of what is coloured, each in a series of its own
   std::vector<plot::Setting> at;
   std::vector<std::string> places;          ///< where each of `at` stands
   std::map<std::string, std::string> words; ///< what {variable} becomes
@@ -28,6 +30,7 @@ struct Scope {
 /// A number, or an angle with its unit.
 bool is_numeric(const Json& value);
 
+/// A number, an angle with its unit, an angle that follows another ("phi_o+180deg", "-theta_o"), or a word.
 plot::Setting to_setting(const std::string& variable, const Json& value);
 
 /// "60°" for "60deg", the number or the word otherwise.

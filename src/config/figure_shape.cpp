@@ -10,13 +10,17 @@ namespace brdfplot::config {
 
 namespace {
 
+/// A number, another angle that it follows ("phi_o+180deg"), or a type.
 ShapePtr setting() { return either({angle(), text()}); }
 
 ShapePtr settings() {
-  return map(setting(), "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, half and "
-                        "difference angles theta_h phi_h theta_d phi_d instead of those of o and i, a, slope, "
-                        "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, the type of "
-                        "its distribution, masking, shadowing or fresnel, the channel, or the strategy of sampling");
+  return map(
+      setting(),
+      "variables and their values: directions theta_o phi_o theta_i phi_i theta_m phi_m, half and "
+      "difference angles theta_h phi_h theta_d phi_d instead of those of o and i, a, slope, "
+      "stretch_x stretch_y shear_x shear_y, any number among the material's parameters, the type of "
+      "its distribution, masking, shadowing or fresnel, the channel, or the strategy of sampling; theta and phi of "
+      "o, i and m may follow each other: \"phi_o+180deg\", \"-theta_o\"");
 }
 
 ShapePtr axis() {
@@ -45,6 +49,18 @@ ShapePtr kind_of_panels() {
 }
 
 ShapePtr channel() { return choice(plot::channel_names()); }
+
+ShapePtr channel_or_each() {
+  std::vector<std::string> names = plot::channel_names();
+  names.emplace_back("rgb");
+  return choice(std::move(names));
+}
+
+/// Where whole series stand.
+Field channel_field(const std::string& of) {
+  return {"channel", channel_or_each(), false,
+          of + "; rgb: what is coloured is drawn thrice, each channel in its colour"};
+}
 
 ShapePtr material_or_name() { return either({material_shape(false), text()}); }
 
@@ -112,7 +128,11 @@ ShapePtr expression() {
 
 ShapePtr series() {
   auto fields = expression_fields();
-  fields.push_back({"label", text(), false, "in the legend; {variable} stands for the value of for_each"});
+  std::erase_if(fields, [](const Field& field) { return field.key == "channel"; });
+  fields.push_back(channel_field("of what is coloured"));
+  fields.push_back(
+      {"label", text(), false,
+       "in the legend; {variable} stands for the value of for_each; default: what differs between series"});
   fields.push_back({"for_each", for_each(), false, "one series for each value"});
   return named("series", [fields] { return object_with_alternatives(fields, operations); });
 }
@@ -121,14 +141,15 @@ ShapePtr panel() {
   return named("panel", [] {
     return object_with_alternatives(
         {{"title", text(), false, "above the panel"},
+         {"kind", kind_of_panels(), false, "where it is not the figure's"},
          {"drawn", boolean(), false,
           "false: lines or polar panels that are in the CSV, for the caption's numbers, and not in the drawing"},
          {"x", axis(), false, "replaces keys of the figure's x"},
          {"y", axis(), false, "replaces keys of the figure's y"},
          {"value", axis(), false, "replaces keys of the figure's value"},
          {"material", material_or_name(), false, "of the series that name none"},
-         {"channel", channel(), false, "of the series that name none"},
-         {"at", settings(), false, "what is fixed for all series"},
+         channel_field("of the series that name none"),
+         {"at", settings(), false, "what is fixed for all series; what is swept is not"},
          {"series", array(series(), 1, most_series), false, "what is drawn"},
          {"profile", profile_shape(), false, "profile: what is drawn; replaces keys of the figure's profile"},
          {"sphere", sphere_shape(), false, "spheres: a sphere of the material; replaces keys of the figure's sphere"},
@@ -149,7 +170,7 @@ ShapePtr panel() {
 ShapePtr figure_shape() {
   return object(
       {{"id", file_stem(), true, "name of its files"},
-       {"kind", kind_of_panels(), true, "how it is drawn"},
+       {"kind", kind_of_panels(), true, "how panels are drawn that name no kind"},
        {"title", text(), true, "above the figure"},
        {"caption", text(), true, "what it shows, with equation and parameters; {name} stands for one of its numbers"},
        {"numbers", numbers_shape(), false, "numbers of the caption"},
@@ -159,7 +180,7 @@ ShapePtr figure_shape() {
        {"cells", whole_number(2, 1024), false, "heat map: cells along each axis; default 96"},
        {"materials", map(material_shape(false), "materials by name"), false, "materials that series name"},
        {"material", material_or_name(), false, "of the series that name none"},
-       {"channel", channel(), false, "of the series that name none"},
+       channel_field("of the series that name none"),
        {"at", settings(), false, "what is fixed for all series"},
        {"x", axis(), false, "horizontal axis, or angle"},
        {"y", axis(), false, "vertical axis, or radius; heat map: the second swept variable"},

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "brdf/quantity.hpp"
+#include "config/figure_labels.hpp"
 #include "config/json_file.hpp"
 #include "config/shapes.hpp"
 #include "figure/series/channel.hpp"
@@ -62,17 +63,6 @@ std::pair<std::string, std::string> range_of(const std::string& variable, bool l
   if (variable == "theta_o") return {"0deg", "89deg"};
   if (variable == "theta_d") return {"0deg", "90deg"};
   return {"-89deg", "89deg"};
-}
-
-/// "alpha" as in labels: Greek letters, one subscript.
-std::string symbol(const std::string& variable) {
-  static const std::vector<std::pair<std::string, std::string>> letters = {
-      {"theta", "θ"}, {"phi", "φ"}, {"alpha", "α"}, {"gamma", "γ"}, {"eta", "η"}};
-  const auto underscore = variable.find('_');
-  const std::string base = variable.substr(0, underscore);
-  const auto found = std::ranges::find(letters, base, &std::pair<std::string, std::string>::first);
-  if (found == letters.end()) return variable;
-  return found->second + (underscore == std::string::npos ? "" : "_" + variable.substr(underscore + 1));
 }
 
 /// A flag's "NAME=TEXT".
@@ -134,16 +124,6 @@ std::vector<NamedMaterial> materials_of(const QuickFigure& figure, const std::st
   }
   if (out.empty()) throw InputError("plot", "a material is missing: MATERIAL.json or -m '{...}'");
   return out;
-}
-
-/// Whether the channels of a quantity differ.
-bool has_channels(const MaterialDescription& description, const std::string& quantity) {
-  try {
-    plot::require_channel(description, build(description), std::nullopt, quantity);
-  } catch (const InputError&) {
-    return true;
-  }
-  return false;
 }
 
 /// Makes the figure of a request.
@@ -252,14 +232,8 @@ private:
       loops.push_back({{"variable", name}, {"values", values}});
       words.push_back(symbol(name) + " = {" + name + "}");
     }
-    if (plot::is_coloured(one.quantity) && has_channels(material.description, one.quantity)) {
-      if (!request_.channel.empty()) {
-        out["channel"] = request_.channel;
-      } else {
-        loops.push_back({{"variable", "channel"}, {"values", {"r", "g", "b"}}});
-        words.emplace_back("{channel}");
-      }
-    }
+    if (plot::channels_differ(material.description, build(material.description), one.quantity))
+      out["channel"] = request_.channel.empty() ? "rgb" : request_.channel;
     std::string label;
     for (const std::string& word : words) label += (label.empty() ? "" : ", ") + word;
     if (!label.empty()) out["label"] = label;

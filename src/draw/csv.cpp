@@ -33,10 +33,17 @@ std::string field(std::string_view label) {
   return out;
 }
 
+/// Whether all panels are heat maps, which have no series.
+bool is_heatmap(const Figure& figure) {
+  const auto one = [&](const Panel& panel) { return kind_in(figure, panel) == Kind::heatmap; };
+  return figure.panels.empty() ? figure.kind == Kind::heatmap : std::ranges::all_of(figure.panels, one);
+}
+
 bool has_errors(const Figure& figure) {
-  if (figure.kind == Kind::profile || figure.kind == Kind::spheres) return false;
   const auto simulated = [](const Series& series) { return !series.error.empty(); };
   return std::ranges::any_of(figure.panels, [&](const Panel& panel) {
+    const Kind kind = kind_in(figure, panel);
+    if (kind == Kind::profile || kind == Kind::spheres) return false;
     return !panel.notes.empty() || std::ranges::any_of(panel.series, simulated);
   });
 }
@@ -57,29 +64,35 @@ std::vector<std::string> swept_columns(const Figure& figure) {
   };
   for (const Panel& panel : figure.panels) {
     add(column_of(panel.x, "x"));
-    if (figure.kind == Kind::heatmap) add(column_of(panel.y, "y"));
+    if (kind_in(figure, panel) == Kind::heatmap) add(column_of(panel.y, "y"));
   }
-  if (names.empty())
-    names = figure.kind == Kind::heatmap ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x"};
+  if (names.empty()) names = is_heatmap(figure) ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x"};
   return names;
 }
 
+/// The name of the values: that of all panels, or where they differ "value".
+std::string value_column(const Figure& figure) {
+  std::string name;
+  for (const Panel& panel : figure.panels) {
+    const bool heatmap = kind_in(figure, panel) == Kind::heatmap;
+    const std::string own =
+        heatmap ? (panel.value ? column_of(*panel.value, "value") : "value") : column_of(panel.y, "y");
+    if (!name.empty() && name != own) return "value";
+    name = own;
+  }
+  return name.empty() ? (is_heatmap(figure) ? "value" : "y") : name;
+}
+
 void append_header(std::string& out, const Figure& figure, const std::vector<std::string>& swept) {
-  const Panel none;
-  const Panel& panel = figure.panels.empty() ? none : figure.panels.front();
-  out += figure.kind == Kind::heatmap ? "panel" : "panel,series";
+  out += is_heatmap(figure) ? "panel" : "panel,series";
   const auto column = [&](const std::string& name) {
     out += ',';
     append_field(out, name);
   };
   for (const std::string& name : swept) column(name);
-  if (figure.kind == Kind::heatmap) {
-    column(panel.value ? column_of(*panel.value, "value") : "value");
-  } else {
-    column(column_of(panel.y, "y"));
-    if (has_errors(figure)) column(column_of(panel.y, "y") + "_stderr");
-    if (has_names(figure)) column("name");
-  }
+  column(value_column(figure));
+  if (has_errors(figure)) column(value_column(figure) + "_stderr");
+  if (has_names(figure)) column("name");
   out += '\n';
 }
 
@@ -124,20 +137,24 @@ void append_notes(std::string& out, const Panel& panel, const std::vector<std::s
   }
 }
 
-void append_grid(std::string& out, const Panel& panel, const std::vector<std::string>& swept) {
+/// `series`, `errors`, `names`: which columns of other kinds there are, which a heat map leaves empty.
+void append_grid(std::string& out, const Panel& panel, const std::vector<std::string>& swept, bool series, bool errors,
+                 bool names) {
   throw_if_interrupted();
   const Grid& grid = *panel.grid;
   const std::string title = field(panel.title), x = column_of(panel.x, "x"), y = column_of(panel.y, "y");
   const std::size_t width = grid.x.size();
   for (std::size_t i = 0; i < std::min(grid.value.size(), width * grid.y.size()); ++i) {
     out += title;
-    out += ',';
+    out += series ? ",," : ",";
     for (const std::string& column : swept) {
       if (column == x) append_number(out, grid.x[i % width]);
       if (column == y) append_number(out, grid.y[i / width]);
       out += ',';
     }
     append_number(out, grid.value[i]);
+    if (errors) out += ',';
+    if (names) out += ',';
     out += '\n';
   }
 }
@@ -161,11 +178,11 @@ std::string to_csv(const Figure& figure) {
   append_header(out, figure, swept);
   const bool errors = has_errors(figure), names = has_names(figure);
   for (const auto& panel : figure.panels) {
-    if (figure.kind != Kind::heatmap) {
+    if (kind_in(figure, panel) != Kind::heatmap) {
       append_series(out, panel, swept, errors, names);
       append_notes(out, panel, swept, errors, names);
     } else if (panel.grid) {
-      append_grid(out, panel, swept);
+      append_grid(out, panel, swept, !is_heatmap(figure), errors, names);
     }
   }
   return out;

@@ -28,7 +28,8 @@ struct PanelKind {
   std::string_view name; ///< in JSON
   /// Sets the range of the value's axis from the data of the panels that share it.
   void (*set_range)(PanelPlan& panel, const Extent& data, int columns);
-  /// Sets ticks, axis titles, insets and sizes of plots in a grid of the given width.
+  /// Sets ticks, axis titles, insets and sizes of the plots that it measures, in a grid of the given width; other
+  /// panels are left alone.
   void (*measure)(const Figure& figure, FigurePlan& plan, double width);
   void (*draw)(SvgWriter& svg, const PanelPlan& plan);
 };

@@ -29,6 +29,9 @@ struct Axis {
   double to = automatic;
 };
 
+/// Red, green or blue.
+enum class Hue { red, green, blue };
+
 /// A polyline. A NaN in y breaks the line.
 struct Series {
   std::string label;
@@ -43,6 +46,8 @@ struct Series {
   /// Of each point: a dot with this name beside it, instead of a line; an empty name: the dot alone. Empty: a line.
   /// Kind::lines only. A name that has no room without covering another, a dot or the frame is the dot's title.
   std::vector<std::string> names{};
+  /// The channel of which the curve is: drawn in its colour, and `style` tells materials apart by dashes.
+  std::optional<Hue> hue{};
 };
 
 /// A direction of a polar plot, drawn as an arrow from (or, when `incoming`, towards) the surface point.
@@ -91,10 +96,13 @@ struct Sketch {
   std::vector<Line> surface{};      ///< the body below it, if it is one: the upper edges of it
   std::vector<Line> rays{};         ///< that leave the surface
   std::vector<Line> stopped_rays{}; ///< that meet it again, from their beginning to there
-  std::vector<Line> sight_lines{};  ///< from the ends of what is visible to the line on which it is projected
-  std::vector<Line> projection{};   ///< what is visible, on that line
-  std::vector<Line> mesosurface{};  ///< none or one
-  std::vector<Pointer> normals{};   ///< short arrows without label
+  std::vector<Line> once{}; ///< paths of light that are reflected once: the ray to the surface and the one from it
+  std::vector<Line> more_often{};  ///< those that are reflected more often
+  std::vector<Pointer> exits{};    ///< where paths leave
+  std::vector<Line> sight_lines{}; ///< from the ends of what is visible to the line on which it is projected
+  std::vector<Line> projection{};  ///< what is visible, on that line
+  std::vector<Line> mesosurface{}; ///< none or one
+  std::vector<Pointer> normals{};  ///< short arrows without label
   std::vector<Pointer> arrows{};
 };
 
@@ -121,6 +129,7 @@ struct Panel {
   std::optional<Sketch> sketch{};   ///< profile only: its series are the parts of the surface, broken by NaN
   std::optional<Picture> picture{}; ///< spheres only: its series are the radiance along a diameter, not drawn
   bool drawn = true;                ///< else it is in the CSV only
+  std::optional<Kind> kind{};       ///< where it is not the figure's
 };
 
 /// Which panels share the range of their value axis where it is automatic.
@@ -136,13 +145,18 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
+/// How a panel of the figure is drawn.
+inline Kind kind_in(const Figure& figure, const Panel& panel) { return panel.kind.value_or(figure.kind); }
+
 /// The figure as one standalone SVG document (UTF-8, viewBox, text as text).
 /// Panels that are not `drawn` are left out. \throws nothing that depends on the data; an empty figure gives an SVG
 /// with the title only.
 std::string to_svg(const Figure& figure);
 
-/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, heat maps `panel,<x>,<y>,<value>`; where panels
-/// sweep different variables, a column for each, empty in the rows of the others. Where a
+/// The figure's data as tidy CSV: `panel,series,<x column>,<y column>`, a figure of heat maps `panel,<x>,<y>,<value>`
+/// (beside other kinds with an empty series); where panels
+/// sweep different variables, a column for each, empty in the rows of the others. Where their values have different
+/// names, the column is `value`. Where a
 /// series is simulated, `<y column>_stderr` follows: the standard error, empty for what is exact; where points have
 /// names, `name` follows. In a profile an empty
 /// y ends a part of the surface. One header line, LF, numbers in the shortest form that reads back to the same double;

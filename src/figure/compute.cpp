@@ -52,18 +52,22 @@ std::string place(const FigureDescription& figure, const PanelDescription& panel
   return where + call("series", panel.series.at(*series).label, static_cast<std::ptrdiff_t>(*series));
 }
 
-/// Series of one label share a style, in the order in which labels appear.
+/// Series of one label share a style, in the order in which labels appear; the channels of one family do.
 class Styles {
 public:
-  int of(const std::string& label) {
-    const auto found = std::ranges::find(labels_, label);
-    const auto index = found - labels_.begin();
-    if (found == labels_.end()) labels_.push_back(label);
-    return static_cast<int>(index);
+  int of(const SeriesDescription& series) {
+    return series.hue ? place_of(series.family, families_) : place_of(series.label, labels_);
   }
 
 private:
-  std::vector<std::string> labels_;
+  static int place_of(const std::string& name, std::vector<std::string>& names) {
+    const auto found = std::ranges::find(names, name);
+    const auto index = found - names.begin();
+    if (found == names.end()) names.push_back(name);
+    return static_cast<int>(index);
+  }
+
+  std::vector<std::string> labels_, families_;
 };
 
 /// `values` places along the axis, evenly spaced on its scale: (k + offset) / count of the way.
@@ -96,7 +100,7 @@ public:
       : evaluator_(std::move(evaluator)) {
     request_.x = panel.x;
     request_.y = panel.y;
-    request_.polar = figure.kind == Kind::polar;
+    request_.polar = kind_in(figure, panel) == Kind::polar;
     request_.adaptive = panel.samples == 0;
     if (evaluator_.costly()) request_.noise = figure.tolerance;
     if (panel.samples > 0)
@@ -169,8 +173,9 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
       series.y = std::move(points.y);
     }
     series.label = description.series[k].label;
-    series.style = styles.of(series.label);
+    series.style = styles.of(description.series[k]);
     series.ramp = description.series[k].ramp;
+    series.hue = description.series[k].hue;
   }
   if (!description.compare_to) return;
   naming(place(figure, description, 0), [&] {
@@ -218,22 +223,21 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 {}};
   Styles styles;
   FirstValues first;
-  for (const auto& from : description.panels) {
-    if (description.kind == Kind::profile) {
-      figure.panels.push_back(naming(place(description, from), [&] { return profile_panel(from); }));
-      continue;
-    }
-    if (description.kind == Kind::spheres) {
-      figure.panels.push_back(naming(place(description, from), [&] { return sphere_panel(from, threads); }));
-      continue;
-    }
+  const auto computed = [&](const PanelDescription& from) {
+    const Kind kind = kind_in(description, from);
+    if (kind == Kind::profile) return naming(place(description, from), [&] { return profile_panel(from); });
+    if (kind == Kind::spheres) return naming(place(description, from), [&] { return sphere_panel(from, threads); });
     Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}, {}};
-    if (description.kind == Kind::heatmap) {
+    if (kind == Kind::heatmap)
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
-    } else {
+    else
       fill_curves(description, from, {store, threads}, first, styles, panel);
-    }
+    return panel;
+  };
+  for (const auto& from : description.panels) {
+    Panel panel = computed(from);
     panel.drawn = from.drawn;
+    panel.kind = from.kind;
     figure.panels.push_back(std::move(panel));
   }
   figure.description = naming(one_line(description.id) + ", caption",
@@ -259,8 +263,9 @@ std::vector<SimulationTask> simulations(const FigureDescription& description) {
       tasks.push_back({key, where, std::move(run)});
     }
   };
-  if (description.kind != Kind::lines && description.kind != Kind::polar) return tasks;
   for (const auto& panel : description.panels) {
+    const Kind kind = kind_in(description, panel);
+    if (kind != Kind::lines && kind != Kind::polar) continue;
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const std::string where = place(description, panel, k);
       naming(where, [&] {

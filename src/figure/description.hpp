@@ -17,6 +17,13 @@
 
 namespace brdfplot::plot {
 
+/// An angle that follows another of the same configuration: sign times it, plus an offset (radians).
+struct Tie {
+  std::string to; ///< theta_o, phi_o, theta_i, phi_i, theta_m or phi_m
+  double sign = 1;
+  double offset = 0;
+};
+
 /// A variable with its value; what is set is not swept. Variables are
 /// - directions: theta_o, phi_o, theta_i, phi_i, theta_m, phi_m (radians);
 /// - or, instead of those of o and i, their half and difference angles: theta_h, phi_h, theta_d, phi_d (see
@@ -25,12 +32,13 @@ namespace brdfplot::plot {
 /// - transformations of the whole configuration, directions included: stretch_x, stretch_y (Heitz 2014, section 5.1),
 ///   shear_x, shear_y (section 5.5);
 /// - any number among the material's parameters (alpha, exponent, gamma, f0, ...);
+/// - with a tie: theta_o, phi_o, theta_i, phi_i, theta_m, phi_m;
 /// - with text: `distribution`, `masking`, `shadowing`, `fresnel`, the type of the model; `channel`, of what is
 /// coloured
 ///   (see channel.hpp); `strategy`, of what is said of samples.
 struct Setting {
   std::string variable;
-  std::variant<double, std::string> value;
+  std::variant<double, std::string, Tie> value;
 };
 
 /// How a quantity is simulated rather than computed: see simulated.hpp.
@@ -66,6 +74,8 @@ struct SeriesDescription {
   std::string label;
   Expression value;
   std::optional<double> ramp;
+  std::optional<Hue> hue{}; ///< of a channel's curve
+  std::string family{};     ///< hue: its curves look alike but for the colour
 };
 
 struct ContourDescription {
@@ -87,6 +97,8 @@ struct ProfileDescription {
   std::optional<double> omega_o, omega_i;
   int normals = 0;                    ///< how many are drawn
   int rays = 0;                       ///< from so many points towards omega_o
+  int paths = 0;                      ///< of light from omega_o, by mirrors, to so many points
+  int bounces = 4;                    ///< of a path at most
   bool projection = false;            ///< what is visible is projected on a line across omega_o
   bool mesosurface = false;           ///< whether the mesosurface is drawn
   std::vector<std::string> arrows{};  ///< omega_o, omega_i, omega_g, omega_m
@@ -125,6 +137,7 @@ struct PanelDescription {
   std::optional<ProfileDescription> profile{}; ///< profile: instead of series
   std::optional<SphereDescription> sphere{};   ///< spheres: instead of series
   bool drawn = true;                           ///< else for the CSV and the numbers of the caption alone
+  std::optional<Kind> kind{};                  ///< where it is not the figure's
 };
 
 struct FigureDescription {
@@ -139,6 +152,11 @@ struct FigureDescription {
   int cells = 96;          ///< heat map: cells along each axis
   std::vector<PanelDescription> panels;
 };
+
+/// How a panel of the figure is drawn.
+inline Kind kind_in(const FigureDescription& figure, const PanelDescription& panel) {
+  return panel.kind.value_or(figure.kind);
+}
 
 /// Names of the variables that are not material parameters.
 const std::vector<std::string>& direction_variables();

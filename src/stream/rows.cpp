@@ -84,7 +84,7 @@ bool RowReader::fill() {
   // A row that is longer than a block is looked through from its start with every piece that comes.
   const std::size_t step = std::max(block_size_, size);
   rest_.resize(size + step);
-  const std::size_t count = file_.read(rest_.data() + size, step);
+  const std::size_t count = source_.read(rest_.data() + size, step);
   rest_.resize(size + count);
   ended_ = count == 0;
   if (!started_ && (rest_.size() >= byte_order_mark.size() || ended_)) {
@@ -92,7 +92,7 @@ bool RowReader::fill() {
     if (rest_.starts_with(byte_order_mark)) rest_.erase(0, byte_order_mark.size());
   }
   if (rest_.size() > longest_row && end_of_whole_rows(rest_) == 0)
-    throw InputError(file_.name() + ":" + std::to_string(line_), "a row of more than 16 MiB; is a quote not closed?");
+    throw InputError(source_.name() + ":" + std::to_string(line_), "a row of more than 16 MiB; is a quote not closed?");
   return !ended_;
 }
 

@@ -50,11 +50,40 @@ struct RowBlock {
   std::size_t first_line = 1;
 };
 
+/// What rows are read from.
+class RowSource {
+public:
+  RowSource() = default;
+  virtual ~RowSource() = default;
+  RowSource(const RowSource&) = delete;
+  RowSource& operator=(const RowSource&) = delete;
+
+  /// What errors name.
+  virtual const std::string& name() const = 0;
+  /// What errors of its header name, which is on this line.
+  virtual std::string header_name(std::size_t line) const { return name() + ":" + std::to_string(line); }
+  /// As those of InputFile.
+  virtual std::size_t read(char* to, std::size_t size) = 0;
+  virtual void stop() = 0;
+};
+
+/// The rows of a file.
+class FileRows : public RowSource {
+public:
+  explicit FileRows(InputFile& file) : file_(file) {}
+  const std::string& name() const override { return file_.name(); }
+  std::size_t read(char* to, std::size_t size) override { return file_.read(to, size); }
+  void stop() override { file_.stop(); }
+
+private:
+  InputFile& file_;
+};
+
 /// Cuts a stream at the ends of rows. Holds one incomplete row at most.
 class RowReader {
 public:
-  /// `block_size`: how much is asked of the file at once; what comes at once is a block.
-  RowReader(InputFile& file, std::size_t block_size) : file_(file), block_size_(block_size) {}
+  /// `block_size`: how much is asked of the source at once; what comes at once is a block.
+  RowReader(RowSource& source, std::size_t block_size) : source_(source), block_size_(block_size) {}
 
   /// The first row that is not blank, without its end: the header. Empty at the end of the file.
   std::string header();
@@ -66,7 +95,7 @@ public:
 private:
   bool fill();
 
-  InputFile& file_;
+  RowSource& source_;
   std::size_t block_size_;
   std::string rest_; ///< read, but not yet handed out
   std::size_t line_ = 1;

@@ -151,7 +151,8 @@ void add_rows(const RowBlock& block, const DirectionColumns& columns, const std:
 
 void sample_stream(const Material& material, const Sampler& sampler, const SampleOptions& options, InputFile& in,
                    OutputFile& out) {
-  RowReader reader(in, sample_block_size);
+  FileRows rows(in);
+  RowReader reader(rows, sample_block_size);
   const std::string header = reader.header();
   const std::string where = in.name() + ":" + std::to_string(reader.header_line());
   if (header.empty())

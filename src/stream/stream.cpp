@@ -68,7 +68,7 @@ void require_columns(const StreamPlan& plan, const std::string& where) {
 /// write. So there is one block a thread in memory, and the order is kept.
 class Pipeline {
 public:
-  Pipeline(const StreamPlan& plan, RowReader& reader, InputFile& in, OutputFile& out)
+  Pipeline(const StreamPlan& plan, RowReader& reader, RowSource& in, OutputFile& out)
       : plan_(plan), reader_(reader), in_(in), out_(out) {}
 
   void run() {
@@ -139,7 +139,7 @@ private:
 
   const StreamPlan& plan_;
   RowReader& reader_;
-  InputFile& in_;
+  RowSource& in_;
   OutputFile& out_;
   std::mutex input_mutex_;
   std::size_t taken_ = 0;
@@ -175,6 +175,11 @@ std::vector<StreamQuantity> select_quantities(const std::vector<std::string>& na
 }
 
 void evaluate_stream(const Material& material, const StreamOptions& options, InputFile& in, OutputFile& out) {
+  FileRows rows(in);
+  evaluate_stream(material, options, rows, out);
+}
+
+void evaluate_stream(const Material& material, const StreamOptions& options, RowSource& in, OutputFile& out) {
   std::optional<Sampler> sampler;
   for (const auto& quantity : options.quantities)
     if (const auto* info = quantity.closed_form())
@@ -192,7 +197,7 @@ void evaluate_stream(const Material& material, const StreamOptions& options, Inp
                                         "\"; accepted: double, or quantities with a closed form only");
   RowReader reader(in, slow ? integral_block_size : block_size);
   std::string header = reader.header();
-  const std::string where = in.name() + ":" + std::to_string(reader.header_line());
+  const std::string where = in.header_name(reader.header_line());
   if (header.empty())
     throw InputError(where, "found no header; accepted: a line that names the columns, such as theta_o,phi_o");
   const StreamPlan plan{material, options, DirectionColumns(header, where), in.name(), std::move(sampler)};

@@ -4,6 +4,7 @@
 
 #include "analysis/integrals.hpp"
 #include "base/text_files.hpp"
+#include "stream/rows.hpp"
 
 #include <string>
 #include <variant>
@@ -50,6 +51,7 @@ struct StreamOptions {
 /// \throws InputError for an integral or pdf in single precision, and a strategy that a term has not; naming FILE:LINE
 /// for the first row that is wrong, AccuracyError for the first integral that misses the tolerance, FileError when
 /// reading or writing fails.
+void evaluate_stream(const Material& material, const StreamOptions& options, RowSource& in, OutputFile& out);
 void evaluate_stream(const Material& material, const StreamOptions& options, InputFile& in, OutputFile& out);
 
 } // namespace brdfplot

@@ -109,7 +109,7 @@ TEST_CASE("figures: spheres") {
   const std::string none = spheres(""), one = "/panels/0/sphere/lights/0";
   check_all({
       {"", none, "/panels/0", "a sphere has \"sphere\", not \"series\""},
-      {panel(sun), "", "/panels/0", "only a figure of kind \"spheres\" has \"sphere\""},
+      {panel(sun), "", "/panels/0", "only a panel of kind \"spheres\" has \"sphere\""},
       {panel(""), none, "/panels/0/sphere", "\"lights\" is missing here and above"},
       {panel(R"("lights": [])"), none, "/panels/0/sphere/lights", "accepted: an array of 1 to 16 items"},
       {lit(R"("type": "spot")"), none, one + "/type",
@@ -154,7 +154,7 @@ TEST_CASE("figures: profiles") {
   const auto panel = [](const std::string& keys) { return R"("profile": {)" + keys + "}"; };
   check_all({
       {"", kind(surface), "/panels/0", "a profile has \"profile\", not \"series\""},
-      {panel(surface), "", "/panels/0", "only a figure of kind \"profile\""},
+      {panel(surface), "", "/panels/0", "only a panel of kind \"profile\""},
       {series + ", " + panel(surface), kind(""), "/panels/0", "accepted: either series, or profile"},
       {R"("title": "T")", "", "/panels/0", "found none of series, profile"},
       {panel(""), kind(""), "/panels/0/profile", "\"surface\" is missing here and above"},

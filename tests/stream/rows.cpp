@@ -90,7 +90,8 @@ TEST_CASE("blocks are cut at the ends of rows, whatever their size") {
   const TextFile file(header + rows);
   for (std::size_t size = 1; size < 40; ++size) {
     InputFile in(file.name());
-    RowReader reader(in, size);
+    FileRows source(in);
+    RowReader reader(source, size);
     CHECK(reader.header() == "\"a\n\",b");
     CHECK(reader.header_line() == 2);
     std::string all;
@@ -109,7 +110,8 @@ TEST_CASE("blocks are cut at the ends of rows, whatever their size") {
 TEST_CASE("a row that never ends is an error before memory is") {
   const TextFile file("a\n1\n\"" + std::string(std::size_t{17} << 20, 'x'));
   InputFile in(file.name());
-  RowReader reader(in, std::size_t{1} << 20);
+  FileRows source(in);
+  RowReader reader(source, std::size_t{1} << 20);
   CHECK(reader.header() == "a");
   RowBlock block;
   CHECK(reader.next(block));
@@ -121,7 +123,8 @@ TEST_CASE("a row that never ends is an error before memory is") {
 TEST_CASE("an empty file") {
   const TextFile file("");
   InputFile in(file.name());
-  RowReader reader(in, 10);
+  FileRows source(in);
+  RowReader reader(source, 10);
   CHECK(reader.header() == "");
   RowBlock block;
   CHECK_FALSE(reader.next(block));

@@ -245,9 +245,8 @@ FitResult fit_lambda(const MaterialDescription& description, const FitOptions& o
   const FitSamples samples = two ? sample(target, 120, 25, options.threads) : sample(target, 800, 1, options.threads);
   const FitSamples dense = two ? sample(target, 311, 145, options.threads) : sample(target, 4001, 1, options.threads);
   const auto fail = [&](double reached) {
-    throw AccuracyError(description.name, "the rational fits of Lambda reached a relative error of G1 of " +
-                                              format_number(reached) + " (asked: " + format_number(options.tolerance) +
-                                              ")");
+    throw AccuracyError("", "the rational fits of Lambda reached a relative error of G1 of " + format_number(reached) +
+                                " (asked: " + format_number(options.tolerance) + ")");
   };
   auto result = cheapest(target, options.tolerance, samples, dense, options.threads);
   if (result && result->in_double.relative.error > options.tolerance) // between the points of the fit

@@ -52,11 +52,11 @@ Ticks vertical_ticks(const Axis& axis, const Range& range, double height) {
 }
 
 /// The bar stands beside each panel, or once per row where the row shares its range.
-bool needs_bar(const Figure& figure, std::size_t index, int columns) {
-  if (figure.kind != Kind::heatmap) return false;
-  const auto per_row = static_cast<std::size_t>(columns);
-  const bool last_in_row = index % per_row == per_row - 1 || index + 1 == figure.panels.size();
-  return figure.share == Share::none || last_in_row;
+bool needs_bar(const Figure& figure, const FigurePlan& plan, std::size_t index) {
+  if (plan.panels[index].kind != Kind::heatmap) return false;
+  const auto per_row = static_cast<std::size_t>(plan.columns);
+  const bool last_in_row = index % per_row == per_row - 1 || index + 1 == plan.panels.size();
+  return figure.share == Share::none || last_in_row || plan.panels[index + 1].kind != Kind::heatmap;
 }
 
 /// Names of points need room below each other.
@@ -64,22 +64,24 @@ bool has_names(const Panel& panel) {
   return std::ranges::any_of(panel.series, [](const Series& series) { return !series.names.empty(); });
 }
 
-void measure_heights(const Figure& figure, PanelPlan& plan, std::size_t index, int columns) {
+void measure_heights(const Figure& figure, FigurePlan& all, std::size_t index) {
   constexpr double height_for_names = 440;
-  const auto& panel = figure.panels[index];
+  const int columns = all.columns;
+  PanelPlan& plan = all.panels[index];
+  const auto& panel = *plan.panel;
   const double height =
-      has_names(panel) && columns == 1 ? height_for_names : plot_height(figure.kind, columns, figure.panels.size());
+      has_names(panel) && columns == 1 ? height_for_names : plot_height(plan.kind, columns, all.panels.size());
   plan.plot.h = height;
   plan.y_ticks = vertical_ticks(panel.y, plan.y, height);
   const bool first = index % static_cast<std::size_t>(columns) == 0;
-  if (first || figure.panels[index - 1].y.label != panel.y.label) {
+  if (first || all.panels[index - 1].kind != plan.kind || all.panels[index - 1].panel->y.label != panel.y.label) {
     plan.y_title = fit_text(panel.y.label, font::axis, height + 20, 1);
   }
   plan.insets.left = widest_label(plan.y_ticks) + tick_length + label_gap + 2;
   plan.insets.left += plan.y_title.lines.empty() ? 0 : plan.y_title.height() + 4;
   plan.insets.right = 12;
   plan.insets.top = 8;
-  plan.bar = needs_bar(figure, index, columns);
+  plan.bar = needs_bar(figure, all, index);
   if (!plan.bar) return;
   const Axis value = panel.value.value_or(Axis{});
   plan.value_ticks = vertical_ticks(value, plan.value, height);
@@ -88,14 +90,12 @@ void measure_heights(const Figure& figure, PanelPlan& plan, std::size_t index, i
   plan.insets.right += plan.value_title.lines.empty() ? 0 : plan.value_title.height() + 6;
 }
 
-void measure_width(const Figure& figure, PanelPlan& plan, std::size_t index, int columns, double width) {
-  const auto& panel = figure.panels[index];
+void measure_width(FigurePlan& all, std::size_t index, double width) {
+  PanelPlan& plan = all.panels[index];
+  const auto& panel = *plan.panel;
   plan.plot.w = width;
   plan.x_ticks = horizontal_ticks(panel.x, plan.x, width);
-  const std::size_t below = index + static_cast<std::size_t>(columns);
-  if (below >= figure.panels.size() || figure.panels[below].x.label != panel.x.label) {
-    plan.x_title = fit_text(panel.x.label, font::axis, width + 16, 1);
-  }
+  if (!repeated_below(all, index, &Panel::x)) plan.x_title = fit_text(panel.x.label, font::axis, width + 16, 1);
   plan.insets.bottom = tick_length + label_gap + 1.1 * font::tick;
   plan.insets.bottom += plan.x_title.lines.empty() ? 0 : plan.x_title.height() + 6;
 }
@@ -128,18 +128,25 @@ void measure_cartesian(const Figure& figure, FigurePlan& plan, double width) {
   const auto columns = static_cast<std::size_t>(plan.columns);
   std::vector<double> left(columns, 0);
   std::vector<double> right(columns, 0);
+  const auto has_axes = [&](std::size_t i) { return kind_of(plan.panels[i].kind).measure == measure_cartesian; };
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    measure_heights(figure, plan.panels[i], i, plan.columns);
+    if (!has_axes(i)) continue;
+    measure_heights(figure, plan, i);
     left[i % columns] = std::max(left[i % columns], plan.panels[i].insets.left);
     right[i % columns] = std::max(right[i % columns], plan.panels[i].insets.right);
   }
-  double rest = width;
-  for (std::size_t c = 0; c < columns; ++c) rest -= left[c] + right[c];
-  const double each = std::max(rest / static_cast<double>(columns), 40.0);
+  double around_all = 0, around_most = 0;
+  for (std::size_t c = 0; c < columns; ++c) {
+    around_all += left[c] + right[c];
+    around_most = std::max(around_most, left[c] + right[c]);
+  }
+  const double rest = plan.mixed ? width / plan.columns - around_most : (width - around_all) / plan.columns;
+  const double each = std::max(rest, 40.0);
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    if (!has_axes(i)) continue;
     plan.panels[i].insets.left = left[i % columns];
     plan.panels[i].insets.right = right[i % columns];
-    measure_width(figure, plan.panels[i], i, plan.columns, each);
+    measure_width(plan, i, each);
   }
 }
 

@@ -1,8 +1,10 @@
 #include "draw/svg/legend.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 namespace brdfplot::plot {
 
@@ -19,25 +21,36 @@ struct Item {
   std::string label;
   int style = 0;
   std::optional<double> ramp;
-  bool dots = false;
+  std::optional<Hue> hue{};
+  LegendEntry::Sample sample = LegendEntry::Sample::line;
+  bool solid = false; ///< the parts of a profile: dashes would look like more parts
 
   [[nodiscard]] bool looks_like(const Item& other) const {
-    if (ramp.has_value() != other.ramp.has_value() || dots != other.dots) return false;
+    if (ramp.has_value() != other.ramp.has_value() || hue != other.hue || sample != other.sample) return false;
     return ramp ? ramp_step(*ramp) == ramp_step(*other.ramp) : style == other.style;
   }
 };
+
+/// The line that is in the colour of a channel: of the palette, so that the colour blind tell them apart too.
+Look look_of_hue(Hue hue, int style) {
+  constexpr std::array<std::string_view, 3> names = {"s1", "s2", "s0"};
+  return {std::string(names[static_cast<std::size_t>(hue)]), style};
+}
 
 std::vector<Item> items_of(const Panel& panel, Kind kind, const std::vector<std::string>& contour_labels) {
   std::vector<Item> items;
   if (kind == Kind::spheres) return items; // what they show is no line
   if (kind != Kind::heatmap) {
     for (const auto& series : panel.series)
-      items.push_back({series.label, series.style, series.ramp, !series.names.empty()});
+      items.push_back({series.label, series.style, series.ramp, series.hue,
+                       series.names.empty() ? LegendEntry::Sample::line : LegendEntry::Sample::dot,
+                       kind == Kind::profile});
     return items;
   }
   for (const auto& contour : panel.contours) {
     const auto at = std::find(contour_labels.begin(), contour_labels.end(), contour.label);
-    items.push_back({contour.label, static_cast<int>(at - contour_labels.begin()), std::nullopt});
+    items.push_back({contour.label, static_cast<int>(at - contour_labels.begin()), std::nullopt, std::nullopt,
+                     LegendEntry::Sample::contour});
   }
   return items;
 }
@@ -81,22 +94,21 @@ bool can_share(const std::vector<std::vector<Item>>& panels) {
   return repeated;
 }
 
-LegendEntry::Sample sample_of(Kind kind, const Item& item) {
-  if (kind == Kind::heatmap) return LegendEntry::Sample::contour;
-  return item.dots ? LegendEntry::Sample::dot : LegendEntry::Sample::line;
-}
-
 /// The look of an item; a ramp's dashes alternate with the place of its label in the legend.
 Look look_in(const Item& item, const std::vector<Item>& distinct) {
   const auto same = [&](const Item& other) { return other.label == item.label; };
   const auto at = std::find_if(distinct.begin(), distinct.end(), same);
-  return look_of(item.style, item.ramp, at == distinct.end() ? 0 : static_cast<int>(at - distinct.begin()));
+  Look look = item.hue
+                  ? look_of_hue(*item.hue, item.style)
+                  : look_of(item.style, item.ramp, at == distinct.end() ? 0 : static_cast<int>(at - distinct.begin()));
+  if (item.solid) look.dash = 0;
+  return look;
 }
 
-std::vector<LegendEntry> entries_of(const std::vector<Item>& distinct, Kind kind) {
+std::vector<LegendEntry> entries_of(const std::vector<Item>& distinct) {
   std::vector<LegendEntry> entries;
   entries.reserve(distinct.size());
-  for (const auto& item : distinct) entries.push_back({item.label, look_in(item, distinct), sample_of(kind, item)});
+  for (const auto& item : distinct) entries.push_back({item.label, look_in(item, distinct), item.sample});
   return entries;
 }
 
@@ -105,13 +117,14 @@ bool has_undefined_cells(const Panel& panel) {
                                    [](double value) { return std::isnan(value); });
 }
 
-/// The parts of a profile are solid: dashes would look like more parts.
-void make_solid(LegendPlan& plan) {
-  for (auto& looks : plan.looks)
-    for (auto& look : looks) look.dash = 0;
-  for (auto& entry : plan.shared) entry.look.dash = 0;
-  for (auto& own : plan.own)
-    for (auto& entry : own) entry.look.dash = 0;
+} // namespace
+
+namespace {
+
+/// Profiles beside other kinds keep their legends: their colours are those of sight.
+bool stands_alone(const Figure& figure, const Panel& panel) {
+  const auto profile = [&](const Panel& one) { return kind_in(figure, one) == Kind::profile; };
+  return profile(panel) && !std::ranges::all_of(figure.panels, profile);
 }
 
 } // namespace
@@ -120,22 +133,25 @@ LegendPlan plan_legend(const Figure& figure) {
   LegendPlan plan;
   const auto contour_labels = contour_labels_of(figure);
   std::vector<std::vector<Item>> items;
-  for (const auto& panel : figure.panels) items.push_back(items_of(panel, figure.kind, contour_labels));
-  const bool share = can_share(items);
+  for (const auto& panel : figure.panels) items.push_back(items_of(panel, kind_in(figure, panel), contour_labels));
+  std::vector<std::vector<Item>> common;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!stands_alone(figure, figure.panels[i])) common.push_back(items[i]);
+  const bool can = can_share(common);
   std::vector<Item> all;
-  for (const auto& list : items) add_distinct(all, list);
+  for (const auto& list : common) add_distinct(all, list);
 
   plan.own.resize(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     std::vector<Item> own;
     add_distinct(own, items[i]);
-    if (!share) plan.own[i] = entries_of(own, figure.kind);
+    const bool share = can && !stands_alone(figure, figure.panels[i]);
+    if (!share) plan.own[i] = entries_of(own);
     plan.looks.emplace_back();
     for (const auto& item : items[i]) plan.looks.back().push_back(look_in(item, share ? all : own));
   }
-  if (share) plan.shared = entries_of(all, figure.kind);
-  if (figure.kind == Kind::profile) make_solid(plan);
-  if (figure.kind == Kind::heatmap && std::any_of(figure.panels.begin(), figure.panels.end(), has_undefined_cells)) {
+  if (can) plan.shared = entries_of(all);
+  if (std::any_of(figure.panels.begin(), figure.panels.end(), has_undefined_cells)) {
     plan.shared.push_back({"undefined", {}, LegendEntry::Sample::undefined});
   }
   return plan;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <span>
+#include <utility>
 
 namespace brdfplot::plot {
 
@@ -47,7 +49,9 @@ Extent value_extent(const Panel& panel, Kind kind) {
   return extent;
 }
 
-void plan_swept(const Panel& panel, Kind kind, PanelPlan& plan) {
+void plan_swept(PanelPlan& plan) {
+  const Panel& panel = *plan.panel;
+  const Kind kind = plan.kind;
   Extent x;
   for (const auto& series : panel.series) x.add(series.x, panel.x.scale);
   if (kind == Kind::heatmap && panel.grid) {
@@ -73,6 +77,20 @@ std::string notes_line(const Panel& panel) {
   return line;
 }
 
+/// The width for all panels of a row, without the gaps between them.
+double row_width(const FigurePlan& plan) { return plan.width - 2 * page_margin - (plan.columns - 1) * column_gap; }
+
+double cell_width(const FigurePlan& plan) { return row_width(plan) / plan.columns; }
+
+/// The room that the panels of each column take.
+struct Columns {
+  struct Column {
+    double left = 0, width = 0, right = 0;
+  };
+  std::vector<Column> all;
+  double cell = 0; ///< the same for all
+};
+
 /// Aligns the titles, legends and plots of a row that begins at `y`; gives its height.
 double place_row(std::span<PanelPlan> row, double y) {
   double title = 0;
@@ -93,27 +111,35 @@ double place_row(std::span<PanelPlan> row, double y) {
   return title + legend + top + body;
 }
 
+/// Sets where the plots of a row begin. Those of all rows stand below each other; panels of several kinds each stand
+/// in the middle of a cell.
+void place_across(const FigurePlan& plan, std::span<PanelPlan> row, const Columns& columns) {
+  double x = page_margin;
+  for (std::size_t column = 0; column < row.size(); ++column) {
+    PanelPlan& panel = row[column];
+    const Columns::Column& room = columns.all[column];
+    const double used = panel.insets.left + panel.plot.w + panel.insets.right;
+    panel.plot.x = x + (plan.mixed ? (columns.cell - used) / 2 + panel.insets.left : room.left);
+    x += (plan.mixed ? columns.cell : room.left + room.width + room.right) + column_gap;
+  }
+}
+
 /// Moves the panels to their places in the grid; gives the y below the last row.
 double place_panels(FigurePlan& plan, double top) {
   const auto columns = static_cast<std::size_t>(plan.columns);
   const auto& panels = plan.panels;
-  std::vector<double> left(columns, 0);
-  std::vector<double> width(columns, 0);
-  std::vector<double> right(columns, 0);
+  Columns room{std::vector<Columns::Column>(columns), cell_width(plan)};
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    left[i % columns] = std::max(left[i % columns], panels[i].insets.left);
-    right[i % columns] = std::max(right[i % columns], panels[i].insets.right);
-    width[i % columns] = std::max(width[i % columns], panels[i].plot.w);
+    Columns::Column& column = room.all[i % columns];
+    column.left = std::max(column.left, panels[i].insets.left);
+    column.right = std::max(column.right, panels[i].insets.right);
+    column.width = std::max(column.width, panels[i].plot.w);
   }
   double y = top;
   for (std::size_t row = 0; row < panels.size(); row += columns) {
     const auto in_row = std::span(plan.panels).subspan(row, std::min(columns, panels.size() - row));
     const double body = place_row(in_row, y);
-    double x = page_margin;
-    for (std::size_t column = 0; column < in_row.size(); ++column) {
-      in_row[column].plot.x = x + left[column];
-      x += left[column] + width[column] + right[column] + column_gap;
-    }
+    place_across(plan, in_row, room);
     y += body + row_gap;
   }
   return panels.empty() ? top : y - row_gap;
@@ -134,15 +160,38 @@ void set_heatmap_range(PanelPlan& panel, const Extent& data, int) {
 void set_no_range(PanelPlan&, const Extent&, int) {}
 
 void plan_ranges(const Figure& figure, FigurePlan& plan) {
-  std::vector<Extent> groups(plan.panels.size());
+  std::map<std::pair<std::size_t, Kind>, Extent> groups;
+  const auto group = [&](std::size_t i) -> Extent& {
+    return groups[{share_group(figure, i, plan.columns), plan.panels[i].kind}];
+  };
+  for (std::size_t i = 0; i < plan.panels.size(); ++i)
+    group(i).add(value_extent(figure.panels[i], plan.panels[i].kind));
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    groups[share_group(figure, i, plan.columns)].add(value_extent(figure.panels[i], figure.kind));
-  }
-  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    plan_swept(figure.panels[i], figure.kind, plan.panels[i]);
-    kind_of(figure.kind).set_range(plan.panels[i], groups[share_group(figure, i, plan.columns)], plan.columns);
+    plan_swept(plan.panels[i]);
+    kind_of(plan.panels[i].kind).set_range(plan.panels[i], group(i), plan.columns);
   }
 }
+
+bool repeated_below(const FigurePlan& plan, std::size_t index, Axis Panel::*axis) {
+  const std::size_t below = index + static_cast<std::size_t>(plan.columns);
+  if (below >= plan.panels.size()) return false;
+  const PanelPlan &panel = plan.panels[index], &other = plan.panels[below];
+  return panel.kind == other.kind && (panel.panel->*axis).label == (other.panel->*axis).label;
+}
+
+namespace {
+
+/// Measures the panels, those that are measured alike together.
+void measure_panels(const Figure& figure, FigurePlan& plan) {
+  const auto measure_of = [](const PanelPlan& panel) { return kind_of(panel.kind).measure; };
+  std::vector<decltype(PanelKind::measure)> ways;
+  for (const PanelPlan& panel : plan.panels)
+    if (std::ranges::find(ways, measure_of(panel)) == ways.end()) ways.push_back(measure_of(panel));
+  plan.mixed = ways.size() > 1;
+  for (const auto measure : ways) measure(figure, plan, row_width(plan));
+}
+
+} // namespace
 
 FigurePlan plan_figure(const Figure& figure) {
   FigurePlan plan;
@@ -157,11 +206,12 @@ FigurePlan plan_figure(const Figure& figure) {
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     auto& panel = plan.panels.emplace_back();
     panel.panel = &figure.panels[i];
+    panel.kind = kind_in(figure, figure.panels[i]);
     panel.id = plan.id + "-p" + std::to_string(i + 1);
     panel.looks = legend.looks[i];
   }
   plan_ranges(figure, plan);
-  kind_of(figure.kind).measure(figure, plan, width - (plan.columns - 1) * column_gap);
+  measure_panels(figure, plan);
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
     throw_if_interrupted();
     auto& panel = plan.panels[i];

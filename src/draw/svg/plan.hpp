@@ -37,6 +37,7 @@ struct PolarLabel {
 
 struct PanelPlan {
   const Panel* panel = nullptr;
+  Kind kind = Kind::lines;
   std::string id; ///< prefix for ids within the document
   std::vector<Look> looks;
   Range x;
@@ -65,6 +66,7 @@ struct FigurePlan {
   double width = 0;
   double height = 0;
   int columns = 1;
+  bool mixed = false; ///< whether panels are measured in several ways; each then has a cell of one width
   FittedText title;
   LegendLayout legend;
   double legend_top = 0;
@@ -76,7 +78,10 @@ inline constexpr double page_margin = 14;
 /// Measures and places all parts of a figure.
 FigurePlan plan_figure(const Figure& figure);
 
-/// Sets the ranges of all panels, shared as the figure asks.
+/// Whether the panel below, if there is one, is of its kind and has the same axis there, which then is titled once.
+bool repeated_below(const FigurePlan& plan, std::size_t index, Axis Panel::*axis);
+
+/// Sets the ranges of all panels, shared as the figure asks, among those of a kind.
 void plan_ranges(const Figure& figure, FigurePlan& plan);
 
 /// Grid lines, under the data.

@@ -173,15 +173,16 @@ bool polar::is_full_disc(const Panel& panel) {
          std::any_of(panel.arrows.begin(), panel.arrows.end(), [&](const Arrow& a) { return beyond(a.theta); });
 }
 
-void measure_polar(const Figure& figure, FigurePlan& plan, double width) {
+void measure_polar(const Figure&, FigurePlan& plan, double width) {
   const double cell = width / plan.columns;
   double radius = std::min(cell / 2 - 8, 250.0);
-  for (const auto& panel : figure.panels) {
-    if (is_full_disc(panel)) radius = std::min(radius, 190.0);
+  for (const auto& panel : plan.panels) {
+    if (panel.kind == Kind::polar && is_full_disc(*panel.panel)) radius = std::min(radius, 190.0);
   }
   for (int round = 0; round < 4; ++round) {
     double most = 0;
     for (auto& panel : plan.panels) {
+      if (panel.kind != Kind::polar) continue;
       panel.narrow = cell < 190;
       place_labels(panel, radius, cell);
       most = std::max(most, overflow(panel, cell));
@@ -191,12 +192,9 @@ void measure_polar(const Figure& figure, FigurePlan& plan, double width) {
   }
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
     auto& panel = plan.panels[i];
+    if (panel.kind != Kind::polar) continue;
     place_labels(panel, radius, cell);
-    const std::size_t below = i + static_cast<std::size_t>(plan.columns);
-    const auto& label = figure.panels[i].y.label;
-    if (below >= figure.panels.size() || figure.panels[below].y.label != label) {
-      panel.x_title = fit_text(label, font::axis, cell, 1);
-    }
+    if (!repeated_below(plan, i, &Panel::y)) panel.x_title = fit_text(panel.panel->y.label, font::axis, cell, 1);
     set_insets(panel, radius, cell);
   }
 }

@@ -31,7 +31,8 @@ Bounds bounds_of(const Sketch& sketch) {
   const double depth = sketch.surface.empty() ? 0.01 : 0.035;
   Bounds out{window.x0, window.x1, window.y0 - depth * (window.x1 - window.x0),
              window.y1 + 0.01 * (window.x1 - window.x0)};
-  for (const auto* lines : {&sketch.rays, &sketch.sight_lines, &sketch.projection, &sketch.mesosurface})
+  for (const auto* lines :
+       {&sketch.rays, &sketch.once, &sketch.more_often, &sketch.sight_lines, &sketch.projection, &sketch.mesosurface})
     out.add(*lines);
   return out;
 }
@@ -151,6 +152,27 @@ void draw_rays(SvgWriter& svg, const PanelPlan& plan) {
   }
 }
 
+/// An arrow head that ends where a path leaves.
+void draw_exit(SvgWriter& svg, const PanelPlan& plan, const Sketch::Pointer& exit) {
+  constexpr double length = 6, half = 2.2;
+  const Point to = at(plan, exit.x, exit.y), base = tip_of(to, exit.theta, -length);
+  const Point side{half * std::cos(exit.theta), half * std::sin(exit.theta)};
+  PathData triangle;
+  triangle.move(to);
+  triangle.line({base.x + side.x, base.y + side.y});
+  triangle.line({base.x - side.x, base.y - side.y});
+  triangle.close();
+  svg.path(triangle, {"bp-ink", 0, {}, {}});
+}
+
+/// Paths of light: thin where they are reflected once, bold where more often.
+void draw_paths(SvgWriter& svg, const PanelPlan& plan) {
+  const auto& sketch = *plan.panel->sketch;
+  if (!sketch.once.empty()) svg.path(path_of(plan, sketch.once), {"bp-no bp-frame", 0.8, {}, {}});
+  if (!sketch.more_often.empty()) svg.path(path_of(plan, sketch.more_often), {"bp-no bp-arrow", 1.5, {}, {}});
+  for (const auto& exit : sketch.exits) draw_exit(svg, plan, exit);
+}
+
 void draw_parts(SvgWriter& svg, const PanelPlan& plan) {
   for (std::size_t k = 0; k < plan.panel->series.size(); ++k) {
     const auto& series = plan.panel->series[k];
@@ -195,9 +217,11 @@ void measure_profile(const Figure& figure, FigurePlan& plan, double width) {
   for (int round = 0; round < 5; ++round) {
     const double w = std::max(cell - insets.left - insets.right, 40.0);
     double widest = 0;
-    for (const auto& panel : plan.panels) widest = std::max(widest, bounds_of(*panel.panel->sketch).width());
+    for (const auto& panel : plan.panels)
+      if (panel.kind == Kind::profile) widest = std::max(widest, bounds_of(*panel.panel->sketch).width());
     Insets most{margin, margin, 4, 2};
     for (auto& panel : plan.panels) {
+      if (panel.kind != Kind::profile) continue;
       const double own = bounds_of(*panel.panel->sketch).width();
       set_scale(panel, w, w / (figure.share == Share::none ? own : widest));
       place_labels(panel, arrow_length(cell));
@@ -219,6 +243,7 @@ void draw_profile(SvgWriter& svg, const PanelPlan& plan) {
   svg.path(path_of(plan, sketch.mesosurface), {"bp-no bp-frame", 1.2, "7 4", {}});
   svg.path(path_of(plan, sketch.sight_lines), {"bp-no bp-frame", 0.7, "2 2.5", {}});
   draw_rays(svg, plan);
+  draw_paths(svg, plan);
   draw_parts(svg, plan);
   draw_projection(svg, plan);
   for (const auto& normal : sketch.normals) draw_pointer(svg, plan, normal, normal_length, 5);

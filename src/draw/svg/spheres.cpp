@@ -11,6 +11,7 @@ void measure_spheres(const Figure&, FigurePlan& plan, double width) {
   const double cell = width / plan.columns;
   const double side = std::min(cell, largest);
   for (PanelPlan& panel : plan.panels) {
+    if (panel.kind != Kind::spheres) continue;
     panel.plot.w = panel.plot.h = side;
     panel.insets = {(cell - side) / 2, (cell - side) / 2, 2, 0};
   }

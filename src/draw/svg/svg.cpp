@@ -72,7 +72,7 @@ std::string draw_figure(const Figure& figure) {
     throw_if_interrupted();
     svg.open_group("bp-panel");
     draw_head(svg, panel);
-    kind_of(figure.kind).draw(svg, panel);
+    kind_of(panel.kind).draw(svg, panel);
     svg.close_group();
   }
   out += "</svg>\n";

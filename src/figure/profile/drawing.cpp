@@ -1,5 +1,7 @@
 #include "figure/profile/drawing.hpp"
 
+#include "figure/profile/paths.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,8 +69,9 @@ private:
   bool is_seen(std::size_t k, double fraction) const {
     return viewed_.empty() || (fraction >= viewed_[base(k)].from && fraction < viewed_[base(k)].to);
   }
-  Line to_border(double x, double h, double ceiling) const;
+  Line to_border(double x, double h, double ceiling, double theta) const;
   void add_rays(Sketch& sketch) const;
+  void add_paths(Sketch& sketch) const;
   void add_projection(Sketch& sketch) const;
   void add_arrows(Sketch& sketch) const;
   double headroom() const { return 0.11 * width_; }
@@ -138,10 +141,10 @@ std::vector<Series> Drawing::series() const {
   return out;
 }
 
-/// From a point towards omega_o to the ceiling or to the side of the window.
-Line Drawing::to_border(double x, double h, double ceiling) const {
-  const double sine = std::sin(theta_o_), cosine = std::cos(theta_o_);
-  double length = (ceiling - h) / cosine;
+/// From a point towards theta to the ceiling, to the side of the window or, downwards, to its lower edge.
+Line Drawing::to_border(double x, double h, double ceiling, double theta) const {
+  const double sine = std::sin(theta), cosine = std::cos(theta);
+  double length = ((cosine > 0 ? ceiling : window_.y0) - h) / cosine;
   if (sine > 0) length = std::min(length, (width_ - x) / sine);
   if (sine < 0) length = std::min(length, -x / sine);
   length = std::max(length, 0.0);
@@ -160,8 +163,27 @@ void Drawing::add_rays(Sketch& sketch) const {
       // Beyond the window a ray would stop at what is not drawn.
       if (x >= 0 && x <= width_) sketch.stopped_rays.push_back({from.x0, from.h0, x, h});
     } else {
-      sketch.rays.push_back(to_border(from.x0, from.h0, window_.y1 + headroom()));
+      sketch.rays.push_back(to_border(from.x0, from.h0, window_.y1 + headroom(), theta_o_));
     }
+  }
+}
+
+/// Light from omega_o to points that are visible from there, and on from facet to facet.
+void Drawing::add_paths(Sketch& sketch) const {
+  const double ceiling = window_.y1 + headroom();
+  for (int i = 0; i < description_.paths; ++i) {
+    const auto [k, fraction] = place((i + 0.5) / description_.paths);
+    if (projected_area(facets_[k], theta_o_) <= 0 || !is_seen(k, fraction)) continue;
+    const MirrorPath path = mirror_path(facets_, k, fraction, theta_o_, description_.bounces);
+    auto& lines = path.points.size() == 1 && !path.ended ? sketch.once : sketch.more_often;
+    const Meeting& first = path.points.front();
+    lines.push_back(to_border(first.x, first.h, ceiling, theta_o_));
+    for (std::size_t n = 1; n < path.points.size(); ++n)
+      lines.push_back({path.points[n - 1].x, path.points[n - 1].h, path.points[n].x, path.points[n].h});
+    if (path.ended) continue;
+    const Line last = to_border(path.points.back().x, path.points.back().h, ceiling, path.theta);
+    lines.push_back(last);
+    sketch.exits.push_back({"", last.x1, last.y1, path.theta});
   }
 }
 
@@ -235,6 +257,7 @@ Sketch Drawing::sketch() const {
     for (const Segment& s : facets_) out.surface.push_back({s.x0, s.h0, s.x1, s.h1});
   if (description_.mesosurface) out.mesosurface.push_back({0, 0, width_, distortion_.shear * width_});
   add_rays(out);
+  add_paths(out);
   if (description_.projection) add_projection(out);
   add_arrows(out);
   return out;

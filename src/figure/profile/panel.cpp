@@ -90,8 +90,8 @@ std::optional<ParameterError> problem_of(const ProfileDescription& description) 
       return ParameterError{"shear", "it takes " + std::string(key) + " below the horizontal; accepted: less"};
   }
   if (!description.omega_o) {
-    const bool needed = description.rays > 0 || description.projection || description.omega_i ||
-                        has(description.arrows, "omega_o") || has(description.numbers, "g1") ||
+    const bool needed = description.rays > 0 || description.paths > 0 || description.projection ||
+                        description.omega_i || has(description.arrows, "omega_o") || has(description.numbers, "g1") ||
                         has(description.numbers, "g2") || has(description.numbers, "projected_area");
     if (needed) return ParameterError{"", "\"omega_o\" is missing, which the rest of the profile asks for"};
   }
@@ -104,8 +104,9 @@ std::optional<ParameterError> problem_of(const ProfileDescription& description) 
     return ParameterError{"cut", "found " + std::to_string(description.cut) + "; accepted: a whole number below " +
                                      std::to_string(cut_count(description.surface))};
   const SurfaceFacts facts = facts_of(description.surface);
-  if (!facts.joined && description.rays > 0)
-    return ParameterError{"rays", "facets that are independent stop no rays; accepted: a joined surface"};
+  for (const auto& [key, count] : {std::pair{"rays", description.rays}, {"paths", description.paths}})
+    if (!facts.joined && count > 0)
+      return ParameterError{key, "facets that are independent stop no rays; accepted: a joined surface"};
   for (const char* number : {"autocorrelation", "g2"})
     if (!facts.has_heights && has(description.numbers, number))
       return ParameterError{"numbers", "\"" + std::string(number) + "\" is known of gaussian, ggx and uncorrelated"};

@@ -57,9 +57,13 @@ bool is_coloured(const std::string& quantity) {
   return integral == integrals().end() || integral->coloured;
 }
 
+bool channels_differ(const MaterialDescription& description, const Material& material, const std::string& quantity) {
+  return material.channels() > 1 && is_coloured(quantity) && !is_grey(description);
+}
+
 void require_channel(const MaterialDescription& description, const Material& material, std::optional<Channel> channel,
                      const std::string& quantity) {
-  if (channel || material.channels() == 1 || !is_coloured(quantity) || is_grey(description)) return;
+  if (channel || !channels_differ(description, material, quantity)) return;
   throw InputError("", "\"" + quantity +
                            "\" has three channels with this material, which differ; write which is meant: \"channel\": "
                            "\"r\", \"g\", \"b\" or \"luminance\"");

@@ -26,6 +26,9 @@ int single_channel(std::optional<Channel> channel, const std::string& quantity);
 /// Whether a quantity has a value for each channel of a coloured material; all that is simulated has.
 bool is_coloured(const std::string& quantity);
 
+/// Whether a quantity has channels of different values with this material.
+bool channels_differ(const MaterialDescription& description, const Material& material, const std::string& quantity);
+
 /// \throws InputError where the colours of a material differ and none is named: what to write.
 void require_channel(const MaterialDescription& description, const Material& material, std::optional<Channel> channel,
                      const std::string& quantity);

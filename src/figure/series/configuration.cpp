@@ -1,11 +1,9 @@
 #include "figure/series/configuration.hpp"
 
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "models/registry.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace brdfplot::plot {
 
@@ -42,13 +40,8 @@ std::pair<TermDescription*, std::string> term_of(MaterialDescription& material, 
 
 Direction stretched(const Direction& d, double x, double y) { return normalized({d.x * x, d.y * y, d.z}); }
 
-/// So many of direction_variables() move directions; what comes after them, and parameters, change the surface.
-constexpr std::ptrdiff_t moving_variables = 12;
-
-bool changes_surface(const std::string& variable) {
-  const auto& names = direction_variables();
-  return std::ranges::find(names, variable) - names.begin() >= moving_variables;
-}
+/// So many of direction_variables() are theta and phi of o, i and m.
+constexpr std::ptrdiff_t angles = 6;
 
 } // namespace
 
@@ -73,8 +66,12 @@ void Configuration::set_model(const std::string& variable, const std::string& ty
     return;
   }
   const auto numbers = numeric_variables(material_);
-  if (std::ranges::find(numbers, variable) != numbers.end())
-    throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number");
+  if (std::ranges::find(numbers, variable) != numbers.end()) {
+    const bool follows =
+        std::ranges::find(numbers.begin(), numbers.begin() + angles, variable) != numbers.begin() + angles;
+    throw InputError("", "\"" + variable + "\" cannot be \"" + type + "\"; accepted: a number" +
+                             (follows ? ", or another angle, as \"phi_o+180deg\"" : ""));
+  }
   const auto [term, model] = term_of(material_, variable);
   if (model == "distribution") {
     set_type<Distribution>(term->distribution, variable, type);
@@ -92,7 +89,23 @@ void Configuration::set_model(const std::string& variable, const std::string& ty
   }
 }
 
+void Configuration::set_tie(const std::string& variable, const Tie& tie) {
+  const std::vector<std::string> names(direction_variables().begin(), direction_variables().begin() + angles);
+  const auto index = static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin());
+  if (index == names.size())
+    throw InputError("", "\"" + variable + "\" cannot follow \"" + tie.to +
+                             "\"; accepted: a number; theta and phi of o, i and m may follow each other");
+  auto at = static_cast<std::size_t>(std::ranges::find(names, tie.to) - names.begin());
+  if (at == names.size()) throw InputError("", unknown_name("angle", tie.to, names));
+  while (at != index && tie_[at]) at = static_cast<std::size_t>(std::ranges::find(names, tie_[at]->to) - names.begin());
+  if (at == index)
+    throw InputError("", "\"" + variable + "\" follows itself by way of \"" + tie.to + "\"; accepted: another");
+  angle_[index].reset();
+  tie_[index] = tie;
+}
+
 void Configuration::set(const Setting& setting) {
+  if (const auto* tie = std::get_if<Tie>(&setting.value)) return set_tie(setting.variable, *tie);
   if (const auto* text = std::get_if<std::string>(&setting.value)) return set_model(setting.variable, *text);
   const double value = std::get<double>(setting.value);
   const auto& names = direction_variables();
@@ -106,6 +119,7 @@ void Configuration::set(const Setting& setting) {
   const auto index = static_cast<std::size_t>(found - names.begin());
   if (index < 6) {
     angle_[index] = value;
+    tie_[index].reset();
   } else if (index < 10) {
     half_[index - 6] = value;
   } else if (index == 10) {
@@ -120,9 +134,20 @@ void Configuration::set(const Setting& setting) {
   }
 }
 
+std::optional<double> Configuration::angle(std::size_t which) const {
+  if (!tie_.at(which)) return angle_[which];
+  const auto& names = direction_variables();
+  const Tie& tie = *tie_[which];
+  const auto target = static_cast<std::size_t>(std::ranges::find(names, tie.to) - names.begin());
+  std::optional<double> from = angle(target);
+  if (!from && target % 2 == 1) from = 0; // a phi that is not set
+  if (!from) return std::nullopt;
+  return tie.sign * *from + tie.offset;
+}
+
 std::optional<double> Configuration::angle(const std::string& variable) const {
   const auto& names = direction_variables();
-  return angle_.at(static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin()));
+  return angle(static_cast<std::size_t>(std::ranges::find(names, variable) - names.begin()));
 }
 
 std::vector<Vec2> Configuration::mean_slopes() const {
@@ -142,21 +167,24 @@ std::vector<Vec2> Configuration::mean_slopes() const {
 }
 
 std::optional<Direction> Configuration::direction(std::size_t which) const {
-  const auto& theta = angle_[2 * which];
-  const auto& phi = angle_[2 * which + 1];
+  const auto theta = angle(2 * which), phi = angle(2 * which + 1);
+  for (const std::size_t k : {2 * which, 2 * which + 1})
+    if (tie_[k] && !angle(k))
+      throw InputError("", "\"" + direction_variables()[k] + "\" follows \"" + tie_[k]->to + "\", which is not set");
   if (!theta) return std::nullopt;
   return from_angles(*theta, phi.value_or(0));
 }
 
 std::optional<ViewerAndLight> Configuration::pair() const {
-  const auto first_of = [](const auto& angles, std::size_t count, std::size_t from) {
+  const auto first_of = [](const auto& is_set, std::size_t count, std::size_t from) {
     for (std::size_t k = 0; k < count; ++k)
-      if (angles[k]) return direction_variables()[from + k];
+      if (is_set(k)) return direction_variables()[from + k];
     return std::string();
   };
-  const std::string half = first_of(half_, half_.size(), 6);
+  const std::string half = first_of([&](std::size_t k) { return half_[k].has_value(); }, half_.size(), 6);
   if (half.empty()) return std::nullopt;
-  const std::string other = a_ ? "a" : first_of(angle_, 4, 0);
+  const auto is_set = [&](std::size_t k) { return angle_[k] || tie_[k]; };
+  const std::string other = a_ ? "a" : first_of(is_set, 4, 0);
   if (!other.empty())
     throw InputError("", "found \"" + half + "\" beside \"" + other +
                              "\"; accepted: the directions of viewer and light, or their half and difference angles");
@@ -202,11 +230,11 @@ Directions Configuration::directions(const Surface& surface) const {
     out.i = both->i;
   }
   if (a_) {
-    const double phi = angle_[1].value_or(0);
+    const double phi = angle(1).value_or(0);
     const double alpha_o = surface.before.project(from_angles(std::acos(0.0), phi)).s;
     out.o = from_angles(std::atan2(1.0, *a_ * alpha_o), phi);
   }
-  if (slope_) out.m = from_angles(std::atan(*slope_), angle_[5].value_or(0));
+  if (slope_) out.m = from_angles(std::atan(*slope_), angle(5).value_or(0));
   if (!is_transformed()) return out;
   for (auto* direction : {&out.o, &out.i}) {
     if (!*direction) continue;
@@ -224,62 +252,6 @@ Configuration::Ready Configuration::ready() const {
   Surface made = surface();
   const Directions at = directions(made);
   return {std::move(made.description), std::move(made.material), at.o, at.i, at.m, channel_};
-}
-
-SweptConfiguration::SweptConfiguration(const Term& term, std::vector<std::string> swept)
-    : fixed_(term.material), swept_(std::move(swept)) {
-  for (const auto& setting : term.at) fixed_.set(setting);
-  for (std::size_t k = 0; k < swept_.size(); ++k)
-    if (std::ranges::find(term.at, swept_[k], &Setting::variable) == term.at.end())
-      (changes_surface(swept_[k]) ? changing_ : moving_).push_back(k);
-  if (changing_.empty()) surface_ = fixed_.surface();
-}
-
-bool SweptConfiguration::is_constant() const { return changing_.empty() && moving_.empty(); }
-
-Configuration::Ready SweptConfiguration::at(const std::vector<double>& values) const {
-  Configuration configuration = fixed_;
-  for (const auto* variables : {&changing_, &moving_})
-    for (const std::size_t k : *variables) configuration.set({swept_[k], values[k]});
-  return configuration.ready();
-}
-
-std::vector<SweptConfiguration::Rows> SweptConfiguration::rows_by_surface(const SweptColumns& columns) const {
-  const std::size_t count = columns.empty() ? 1 : columns.front().size();
-  std::vector<Rows> groups;
-  std::map<std::vector<double>, std::size_t> known;
-  for (std::size_t row = 0; row < count; ++row) {
-    std::vector<double> values;
-    for (const std::size_t k : changing_) values.push_back(columns[k][row]);
-    const auto [place, is_new] = known.emplace(std::move(values), groups.size());
-    if (is_new) groups.emplace_back();
-    groups[place->second].push_back(row);
-  }
-  return groups;
-}
-
-void SweptConfiguration::for_each_surface(const SweptColumns& columns, const Visitor& visit) const {
-  constexpr std::size_t most = 1024;
-  Configuration configuration = fixed_;
-  const auto set = [&](const std::vector<std::size_t>& variables, std::size_t row) {
-    for (const std::size_t k : variables) configuration.set({swept_[k], columns[k][row]});
-  };
-  for (const Rows& rows : rows_by_surface(columns)) {
-    set(changing_, rows.front());
-    const auto changed = surface_ ? std::nullopt : std::optional(configuration.surface());
-    const Configuration::Surface& surface = surface_ ? *surface_ : *changed;
-    for (std::size_t first = 0; first < rows.size(); first += most) {
-      throw_if_interrupted();
-      const auto from = rows.begin() + static_cast<std::ptrdiff_t>(first);
-      const Rows some(from, from + static_cast<std::ptrdiff_t>(std::min(most, rows.size() - first)));
-      std::vector<Directions> directions;
-      for (const std::size_t row : some) {
-        set(moving_, row);
-        directions.push_back(configuration.directions(surface));
-      }
-      visit(surface, some, directions);
-    }
-  }
 }
 
 } // namespace brdfplot::plot

@@ -55,7 +55,7 @@ public:
   /// How directions are drawn, of quantities that say how well that is done.
   const std::string& strategy() const { return strategy_; }
 
-  /// theta_o, phi_o, ... phi_m, where it is set.
+  /// theta_o, phi_o, ... phi_m, where it is set or follows what is.
   std::optional<double> angle(const std::string& variable) const;
 
   /// Where slopes have their means before the transformations: of the distributions of all terms, or of the parts that
@@ -64,6 +64,8 @@ public:
 
 private:
   void set_model(const std::string& variable, const std::string& type);
+  void set_tie(const std::string& variable, const Tie& tie);
+  std::optional<double> angle(std::size_t which) const;
   std::optional<Direction> direction(std::size_t which) const;
   /// Of half and difference angles, where they are set. \throws InputError beside other angles of viewer or light
   std::optional<ViewerAndLight> pair() const;
@@ -75,6 +77,7 @@ private:
   std::optional<Channel> channel_;
   std::string strategy_ = "default";
   std::array<std::optional<double>, 6> angle_; ///< theta and phi of o, i, m
+  std::array<std::optional<Tie>, 6> tie_;      ///< what follows another of them instead
   std::array<std::optional<double>, 4> half_;  ///< theta and phi of the half vector and of the difference
   std::optional<double> a_;
   std::optional<double> slope_;

@@ -26,6 +26,14 @@ std::string text_of(const Value& value) {
   return std::visit(Visitor{}, value);
 }
 
+struct SettingText {
+  std::string operator()(double x) const { return format_number(x); }
+  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(const Tie& tie) const {
+    return format_number(tie.sign) + "*" + tie.to + "+" + format_number(tie.offset);
+  }
+};
+
 std::string text_of(const ModelChoice& choice) {
   std::string out = choice.type + "{";
   for (const auto& [key, value] : choice.values.map()) out += key + "=" + text_of(value) + ",";
@@ -64,8 +72,7 @@ std::string defining_text(const Term& term, const std::vector<std::string>& swep
   for (const TermDescription& one : term.material.terms) out += text_of_masking(one);
   out += "\nat";
   for (const Setting& setting : term.at) {
-    const auto* number = std::get_if<double>(&setting.value);
-    out += " " + setting.variable + "=" + (number ? format_number(*number) : std::get<std::string>(setting.value));
+    out += " " + setting.variable + "=" + std::visit(SettingText{}, setting.value);
   }
   out += "\nover";
   for (const auto& variable : swept) out += " " + variable;

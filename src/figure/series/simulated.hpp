@@ -77,8 +77,11 @@ const SimulationSource& smith_walk_source();
 /// 101 of Heitz 2014 that the measured G1 and G2 imply (simulation/simulate.hpp).
 const SimulationSource& surface_source();
 
+/// No simulation: brdf_cos itself, averaged over the bins of surface_source().
+const SimulationSource& bins_source();
+
 inline const std::vector<const SimulationSource*>& simulation_sources() {
-  static const std::vector<const SimulationSource*> all = {&smith_walk_source(), &surface_source()};
+  static const std::vector<const SimulationSource*> all = {&smith_walk_source(), &surface_source(), &bins_source()};
   return all;
 }
 
