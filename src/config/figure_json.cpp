@@ -331,7 +331,8 @@ plot::FigureDescription read_figure(const JsonFile& file) {
 FigureFile load_figure(const std::string& path) {
   const JsonFile file(path);
   expect_kind(file, "figure");
-  return {read_figure(file), file.text()};
+  const bool refers = file.text().find("\"$ref\"") != std::string::npos;
+  return {read_figure(file), refers ? file.root().dump(2) + "\n" : file.text()};
 }
 
 plot::FigureDescription load_quick_figure(const QuickFigure& figure) {

@@ -23,11 +23,12 @@ std::size_t character_length(std::string_view text, std::size_t at) {
   return std::min(length, text.size() - at);
 }
 
-/// Whether the `_` at `at` is part of an identifier such as a file name rather than markup.
+/// Whether the `_` at `at` is part of an identifier such as `v_cavity` rather than markup: one character alone is a
+/// subscript without braces.
 bool joins_identifier(std::string_view label, std::size_t at) {
   if (label[at] != '_' || label[at + 1] == '{') return false;
   if (is_digit(label[at - 1])) return true;
-  const bool word_before = at >= 2 && is_alnum(label[at - 1]) && is_alnum(label[at - 2]);
+  const bool word_before = is_alnum(label[at - 1]);
   const bool word_after = at + 2 < label.size() && is_alnum(label[at + 1]) && is_alnum(label[at + 2]);
   return word_before && word_after;
 }

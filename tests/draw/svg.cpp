@@ -170,3 +170,16 @@ TEST_CASE("figures without usable data are drawn all the same") {
     CHECK(fault_of(to_svg(figure)) == "");
   }
 }
+
+TEST_CASE("a drawing says what a page needs to read it and to hide its series") {
+  const auto lines = to_svg(plot_tests::lines_figure());
+  CHECK(count(lines, "<g class=\"bp-panel\" data-kind=\"lines\" data-plot=\"") == 2);
+  CHECK(count(lines, " data-x=\"0 1.5707963267948966 degrees linear\" data-x-label=\"θ&lt;sub&gt;o&lt;/sub&gt;\"") ==
+        2);
+  CHECK(count(lines, "<g class=\"bp-entry\" data-key=\"s0.0\">") == 1);
+  CHECK(count(lines, " data-key=\"s0.0\"") == 3); // and a path in each panel
+  const auto map = to_svg(plot_tests::heatmap_figure());
+  CHECK(count(map, " data-panel=\"\" data-columns=\"x,y\"") == 1);
+  CHECK(count(map, "<g class=\"bp-entry\">") == 1); // cells without value belong to no series
+  CHECK(count(to_svg(plot_tests::polar_figure()), "data-kind=\"polar\"") == 1);
+}

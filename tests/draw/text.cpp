@@ -42,10 +42,12 @@ TEST_CASE("markup is split into runs") {
 }
 
 TEST_CASE("underscores that are no markup stay") {
-  for (const char* label : {"heitz2014_x", "white_furnace", "_x", "a _b", "a_", "a_ b", "^", "x^"}) {
+  for (const char* label :
+       {"heitz2014_x", "white_furnace", "v_cavity", "of v_cavity.", "r_xy", "_x", "a _b", "a_", "a_ b", "^", "x^"}) {
     CAPTURE(label);
     CHECK(parse_markup(label) == Runs{{label, Level::base}});
   }
+  CHECK(parse_markup("E_o(θ_o)")[1] == Run{"o", Level::sub});
   CHECK(parse_markup("a\\_b\\^c") == Runs{{"a_b^c", Level::base}});
   CHECK(parse_markup("log_2 n")[1] == Run{"2", Level::sub});
   CHECK(parse_markup("heitz2014_{x}")[1] == Run{"x", Level::sub});

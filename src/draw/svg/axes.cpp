@@ -51,12 +51,12 @@ Ticks vertical_ticks(const Axis& axis, const Range& range, double height) {
   return make_ticks(axis, range, std::clamp(static_cast<int>(height / 32), 3, 10));
 }
 
-/// The bar stands beside each panel, or once per row where the row shares its range.
+/// The bar stands beside each panel, or once beside those of a row that share their range.
 bool needs_bar(const Figure& figure, std::size_t index, int columns) {
   if (figure.kind != Kind::heatmap) return false;
   const auto per_row = static_cast<std::size_t>(columns);
   const bool last_in_row = index % per_row == per_row - 1 || index + 1 == figure.panels.size();
-  return figure.share == Share::none || last_in_row;
+  return last_in_row || share_group(figure, index) != share_group(figure, index + 1);
 }
 
 /// Names of points need room below each other.
@@ -64,11 +64,13 @@ bool has_names(const Panel& panel) {
   return std::ranges::any_of(panel.series, [](const Series& series) { return !series.names.empty(); });
 }
 
-void measure_heights(const Figure& figure, PanelPlan& plan, std::size_t index, int columns) {
-  constexpr double height_for_names = 440;
+/// `shrink` as in FigurePlan.
+void measure_heights(const Figure& figure, PanelPlan& plan, std::size_t index, int columns, double shrink) {
+  constexpr double height_for_names = 440, least_height = 110;
   const auto& panel = figure.panels[index];
-  const double height =
+  const double usual =
       has_names(panel) && columns == 1 ? height_for_names : plot_height(figure.kind, columns, figure.panels.size());
+  const double height = std::max(shrink * usual, least_height);
   plan.plot.h = height;
   plan.y_ticks = vertical_ticks(panel.y, plan.y, height);
   const bool first = index % static_cast<std::size_t>(columns) == 0;
@@ -129,7 +131,7 @@ void measure_cartesian(const Figure& figure, FigurePlan& plan, double width) {
   std::vector<double> left(columns, 0);
   std::vector<double> right(columns, 0);
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    measure_heights(figure, plan.panels[i], i, plan.columns);
+    measure_heights(figure, plan.panels[i], i, plan.columns, plan.shrink);
     left[i % columns] = std::max(left[i % columns], plan.panels[i].insets.left);
     right[i % columns] = std::max(right[i % columns], plan.panels[i].insets.right);
   }

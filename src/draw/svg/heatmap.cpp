@@ -128,8 +128,9 @@ void draw_contours(SvgWriter& svg, const PanelPlan& plan) {
   for (std::size_t i = 0; i < plan.panel->contours.size(); ++i) {
     PathData path;
     for (const auto& line : plan.panel->contours[i].lines) append_curve(path, plan, line.x, line.y);
-    svg.path(path, {"bp-no bp-line bp-halo", 4, {}, {}});
-    svg.path(path, {"bp-no bp-line bp-contour", 1.6, dash(plan.looks[i].dash), {}});
+    const std::string key = key_attribute(plan.looks[i]);
+    svg.path(path, {"bp-no bp-line bp-halo", 4, {}, key});
+    svg.path(path, {"bp-no bp-line bp-contour", 1.6, dash(plan.looks[i].dash), key});
   }
   svg.close_group();
 }

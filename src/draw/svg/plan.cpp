@@ -25,10 +25,17 @@ std::string clean_id(const std::string& id) {
   return out.empty() ? "figure" : out;
 }
 
-/// Which panels' value axes belong together.
-std::size_t share_group(const Figure& figure, std::size_t panel, int columns) {
-  if (figure.share == Share::all) return 0;
-  return figure.share == Share::rows ? panel / static_cast<std::size_t>(columns) : panel;
+/// The width of a page in user units, of which font::tick are as many points as the layout says.
+double page_width(const Layout& layout, int columns) {
+  constexpr double millimetres_per_point = 25.4 / 72;
+  if (layout.width_mm > 0) return layout.width_mm / (layout.font_pt * millimetres_per_point / font::tick);
+  return columns == 1 ? 640 : 720;
+}
+
+/// How many panels find room side by side.
+int columns_in(Kind kind, double width) {
+  const double least = kind == Kind::spheres ? 90 : kind == Kind::profile ? 150 : kind == Kind::heatmap ? 190 : 165;
+  return std::max(1, static_cast<int>((width - 2 * page_margin + column_gap) / (least + column_gap)));
 }
 
 /// The data on the axis that panels may share.
@@ -136,21 +143,28 @@ void set_no_range(PanelPlan&, const Extent&, int) {}
 void plan_ranges(const Figure& figure, FigurePlan& plan) {
   std::vector<Extent> groups(plan.panels.size());
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
-    groups[share_group(figure, i, plan.columns)].add(value_extent(figure.panels[i], figure.kind));
+    groups[share_group(figure, i)].add(value_extent(figure.panels[i], figure.kind));
   }
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
     plan_swept(figure.panels[i], figure.kind, plan.panels[i]);
-    kind_of(figure.kind).set_range(plan.panels[i], groups[share_group(figure, i, plan.columns)], plan.columns);
+    kind_of(figure.kind).set_range(plan.panels[i], groups[share_group(figure, i)], plan.columns);
   }
 }
 
-FigurePlan plan_figure(const Figure& figure) {
+std::size_t share_group(const Figure& figure, std::size_t panel) {
+  if (figure.share == Share::all) return 0;
+  return figure.share == Share::rows ? panel / static_cast<std::size_t>(std::max(1, figure.columns)) : panel;
+}
+
+FigurePlan plan_figure(const Figure& figure, const Layout& layout) {
   FigurePlan plan;
   plan.id = clean_id(figure.id);
   plan.columns = std::clamp(figure.columns, 1, std::max(1, static_cast<int>(figure.panels.size())));
-  plan.width = plan.columns == 1 ? 640 : 720;
+  plan.width = page_width(layout, plan.columns);
+  if (layout.width_mm > 0) plan.columns = std::min(plan.columns, columns_in(figure.kind, plan.width));
+  plan.shrink = std::min(1.0, plan.width / page_width({}, plan.columns));
   const double width = plan.width - 2 * page_margin;
-  plan.title = fit_text(figure.title, font::title, width, 2, true);
+  if (layout.title) plan.title = fit_text(figure.title, font::title, width, 2, true);
   const auto legend = plan_legend(figure);
   plan.legend = lay_out_legend(legend.shared, width);
 

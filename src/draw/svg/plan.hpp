@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/layout.hpp"
 #include "draw/model.hpp"
 #include "draw/svg/legend.hpp"
 #include "draw/svg/writer.hpp"
@@ -64,6 +65,7 @@ struct FigurePlan {
   std::string id;
   double width = 0;
   double height = 0;
+  double shrink = 1; ///< of plots beside what they are in a figure for screens
   int columns = 1;
   FittedText title;
   LegendLayout legend;
@@ -74,7 +76,10 @@ struct FigurePlan {
 inline constexpr double page_margin = 14;
 
 /// Measures and places all parts of a figure.
-FigurePlan plan_figure(const Figure& figure);
+FigurePlan plan_figure(const Figure& figure, const Layout& layout);
+
+/// Panels that share a range have the same group. Rows are those of the figure, though paper may have no room for them.
+std::size_t share_group(const Figure& figure, std::size_t panel);
 
 /// Sets the ranges of all panels, shared as the figure asks.
 void plan_ranges(const Figure& figure, FigurePlan& plan);

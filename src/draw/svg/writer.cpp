@@ -200,6 +200,12 @@ void SvgWriter::open_clip(std::string_view id, const PathData& region) {
   out_.append("<g clip-path=\"url(#").append(id).append(")\">\n");
 }
 
-void SvgWriter::open_group(std::string_view classes) { out_.append("<g class=\"").append(classes).append("\">\n"); }
+void SvgWriter::open_group(std::string_view classes, std::string_view extra) {
+  out_.append("<g class=\"").append(classes).append("\"").append(extra).append(">\n");
+}
+
+std::string key_attribute(const Look& look) {
+  return " data-key=\"" + look.colour + "." + std::to_string(look.dash) + "\"";
+}
 
 } // namespace brdfplot::plot

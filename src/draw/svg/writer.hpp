@@ -61,12 +61,15 @@ void append_polyline(PathData& path, const std::vector<Point>& points);
 
 enum class Anchor { start, middle, end };
 
+/// What joins a legend's entry and what is drawn of its series, for a page that hides them: ` data-key="s0.1"`.
+std::string key_attribute(const Look& look);
+
 /// The attributes of a path beside its data.
 struct Stroke {
   std::string classes;
   double width = 1;
   std::string_view dash;
-  std::string_view extra; ///< more attributes, verbatim
+  std::string extra{}; ///< more attributes, verbatim
 };
 
 class SvgWriter {
@@ -89,7 +92,8 @@ public:
   /// Defines a clipping region and opens a group that uses it.
   void open_clip(std::string_view id, const PathData& region);
   void close_group() { out_ += "</g>\n"; }
-  void open_group(std::string_view classes);
+  /// `extra`: more attributes, verbatim.
+  void open_group(std::string_view classes, std::string_view extra = {});
 
 private:
   void attribute(std::string_view name, double value);
