@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace brdfplot::cli {
 
@@ -52,7 +53,16 @@ std::string with_markup(const Residual& residual) {
   const Short number = shorten(residual.max_residual);
   std::string sign(mark(residual.verdict));
   if (residual.verdict == Verdict::not_applicable || number.digits.empty()) return sign;
-  return sign + " " + number.digits + (number.exponent == 0 ? "" : "·10^{" + std::to_string(number.exponent) + "}");
+  if (number.exponent == 0) return sign + " " + number.digits;
+  const std::string exponent = (number.exponent < 0 ? "−" : "") + std::to_string(std::abs(number.exponent));
+  return sign + " " + number.digits + "·10^{" + exponent + "}";
+}
+
+/// A name in a cell with label markup: its underscores are its own.
+std::string literal(const std::string& name) {
+  std::string out;
+  for (const char c : name) out += c == '_' ? "\\_" : std::string(1, c);
+  return out;
 }
 
 /// The properties that any row has, in their order.
@@ -229,7 +239,10 @@ std::string table_markdown(const std::string& title, const std::string& caption,
 std::vector<std::vector<std::string>> plain_cells(const std::vector<PropertyRow>& rows) { return cells(rows, plain); }
 
 std::vector<std::vector<std::string>> table_cells(const std::vector<PropertyRow>& rows) {
-  return cells(rows, with_markup);
+  std::vector<PropertyRow> named = rows;
+  for (auto& row : named)
+    for (std::string* name : {&row.material, &row.masking, &row.label}) *name = literal(*name);
+  return cells(named, with_markup);
 }
 
 } // namespace brdfplot::cli

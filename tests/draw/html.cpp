@@ -46,8 +46,8 @@ Page page() {
 } // namespace
 
 TEST_CASE("the page is well-formed, and all ids on it differ") {
-  CHECK(plot_tests::fault_of(to_html(page()), {"meta", "link", "br"}) == "");
-  CHECK(plot_tests::fault_of(to_html(Page{}), {"meta", "link", "br"}) == "");
+  CHECK(plot_tests::fault_of(to_html(page()), {"meta", "link", "br", "wbr"}) == "");
+  CHECK(plot_tests::fault_of(to_html(Page{}), {"meta", "link", "br", "wbr"}) == "");
 }
 
 TEST_CASE("the page needs nothing from outside") {
@@ -107,7 +107,7 @@ TEST_CASE("numbers are the paper's, or the page's beside them") {
   of_paper.entries[1].caption = "Me 2014, Fig. 2: lobes.";
   of_paper.references = {{{"Me 2014"}, "Me: On x_1.", "https://doi.org/10.1/2"}, {{"Me"}, "Me.", "https://a.b/?c&d"}};
   const auto html = to_html(of_paper);
-  CHECK(plot_tests::fault_of(html, {"meta", "link", "br"}) == "");
+  CHECK(plot_tests::fault_of(html, {"meta", "link", "br", "wbr"}) == "");
   CHECK(count(html, "<strong><a href=\"#reference-1\">Me 2014</a>, Fig. 2</strong>: lobes.") == 1);
   CHECK(count(html, "<strong>Figure R2.</strong>") == 1);
   CHECK(count(html, "<strong>Table R1.</strong>") == 1);

@@ -110,12 +110,12 @@ void append_caption(std::string& out, const Page& page, const Numbered& numbered
     append_escaped(out, numbered.name);
     out += '.';
   }
-  out += "</strong>";
   if (!entry.title.empty() && caption_needs_title(entry)) {
-    out += " <strong>";
-    append_sentence(out, entry.title);
-    out += "</strong>";
+    out += names_itself ? ": " : " ";
+    if (names_itself) append_html(out, entry.title);
+    if (!names_itself) append_sentence(out, entry.title);
   }
+  out += "</strong>";
   if (!caption.empty() && !names_itself) out += ' ';
   append_cited(out, caption, page.references);
   out += "</figcaption>\n";

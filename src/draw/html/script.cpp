@@ -35,7 +35,8 @@ function rowsOf(text) {
 // Axes: what stands at a place in [0, 1], and how it is told.
 function axis(panel, name) {
   const [from, to, unit, scale] = panel.dataset[name].split(' ');
-  return {from: +from, to: +to, unit, log: scale === 'log', label: panel.dataset[name + 'Label'] || name};
+  const label = (panel.dataset[name + 'Label'] || name).replace(/ \((degrees|°)\)$/, '');
+  return {from: +from, to: +to, unit, log: scale === 'log', label};
 }
 const valueAt = (a, place) => a.log ? a.from * Math.pow(a.to / a.from, place) : a.from + (a.to - a.from) * place;
 const placeOf = (a, value) => a.log ? Math.log(value / a.from) / Math.log(a.to / a.from)

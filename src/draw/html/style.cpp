@@ -15,7 +15,7 @@ html{scroll-behavior:smooth;-webkit-text-size-adjust:100%}
 body{margin:0;background:var(--page);color:var(--text);line-height:1.55;
 font-family:"Helvetica Neue",Helvetica,Arial,"DejaVu Sans",sans-serif}
 a{color:var(--link)}
-sub,sup{font-size:.72em;line-height:0}
+sub,sup{font-size:.72em;line-height:0;white-space:nowrap}
 .layout{display:grid;grid-template-columns:minmax(13rem,17rem) minmax(0,1fr);gap:2.5rem;max-width:75rem;margin:0 auto;
 padding:0 1.5rem}
 header,main,footer{grid-column:2;max-width:48rem;width:100%}
@@ -52,7 +52,7 @@ color:var(--text);border:1px solid var(--line);border-radius:6px}
 .large::backdrop{background:#0009}
 .large button{display:block;margin:0 0 .4rem auto}
 .large svg{display:block;width:auto;height:auto;min-width:40rem;max-width:none;
-inline-size:min(95vw,calc((98vh - 4.5rem)*var(--aspect,1.4)))}
+inline-size:min(95vw,max(62rem,calc((98vh - 4.5rem)*var(--aspect,1.4))))}
 #references li{font-size:.925rem;margin:.35rem 0;overflow-wrap:anywhere}
 pre{background:var(--panel);border:1px solid var(--line);border-radius:4px;padding:.75rem;overflow:auto;max-height:28rem;
 white-space:pre-wrap;overflow-wrap:anywhere;
@@ -78,7 +78,7 @@ h2{font-size:1.25rem}
 }
 @media screen and (max-width:36rem){
 table{font-size:.72rem}
-th,td{padding:.25rem .25rem;overflow-wrap:anywhere}
+th,td{padding:.25rem .2rem;overflow-wrap:break-word}
 th{white-space:normal;vertical-align:bottom}
 }
 )css";

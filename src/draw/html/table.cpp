@@ -10,13 +10,23 @@ namespace brdfplot::plot {
 
 namespace {
 
+/// A cell that may be broken within names_of_several_words, as a narrow page has to.
+void append_breakable(std::string& out, const std::string& text) {
+  std::string cell;
+  append_html(cell, text);
+  for (const char c : cell) {
+    out += c;
+    if (c == '_') out += "<wbr>";
+  }
+}
+
 void append_row(std::string& out, const std::vector<std::string>& row, const std::vector<bool>& numeric, bool header) {
   out += "<tr>";
   for (std::size_t i = 0; i < row.size(); ++i) {
     out += header ? "<th scope=\"col\"" : "<td";
     if (i < numeric.size() && numeric[i]) out += " class=\"num\"";
     out += '>';
-    append_html(out, row[i]);
+    append_breakable(out, row[i]);
     out += header ? "</th>" : "</td>";
   }
   out += "</tr>\n";

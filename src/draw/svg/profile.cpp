@@ -167,8 +167,9 @@ void draw_projection(SvgWriter& svg, const PanelPlan& plan) {
   for (std::size_t first = 0; first < std::min<std::size_t>(lines.size(), 2); ++first) {
     std::vector<Sketch::Line> every_other;
     for (std::size_t k = first; k < lines.size(); k += 2) every_other.push_back(lines[k]);
+    const Look& look = plan.looks.front();
     svg.path(path_of(plan, every_other),
-             {"bp-no bp-" + plan.looks.front().colour, 6, {}, first == 0 ? "" : " stroke-opacity=\"0.5\""});
+             {"bp-no bp-" + look.colour, 6, {}, (first == 0 ? "" : " stroke-opacity=\"0.5\"") + key_attribute(look)});
   }
 }
 
