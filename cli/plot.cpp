@@ -65,11 +65,11 @@ constexpr std::array<std::pair<std::string_view, double>, 8> journal_widths = {{
                                                                                 {"nature-page", 183}}};
 
 /// A length with or without its unit, within bounds. \throws InputError
-double length(const std::string& flag, const std::string& text, const std::string& unit, double least, double most,
-              const std::string& accepted) {
+double bounded_length(const std::string& flag, const std::string& text, const std::string& unit, double shortest,
+                      double longest, const std::string& accepted) {
   const std::string number = text.ends_with(unit) ? text.substr(0, text.size() - unit.size()) : text;
   const auto value = parse_number(number);
-  if (!value || !(*value >= least) || *value > most)
+  if (!value || !(*value >= shortest) || *value > longest)
     throw InputError(flag, "found \"" + echo(text) + "\"; accepted: " + accepted);
   return *value;
 }
@@ -80,7 +80,7 @@ double page_width(const std::string& text) {
     if (text == name) return millimetres;
     accepted += (accepted.ends_with("of") ? " " : ", ") + std::string(name);
   }
-  return length("--width", text, "mm", 10, 2000, accepted);
+  return bounded_length("--width", text, "mm", 10, 2000, accepted);
 }
 
 plot::Layout layout_of(const PlotFlags& flags) {
@@ -89,7 +89,7 @@ plot::Layout layout_of(const PlotFlags& flags) {
   if (!flags.width.empty()) layout.width_mm = page_width(flags.width);
   if (!flags.font_size.empty()) {
     if (flags.width.empty()) throw InputError("--font-size", "it goes with --width");
-    layout.font_pt = length("--font-size", flags.font_size, "pt", 3, 40, "3pt to 40pt");
+    layout.font_pt = bounded_length("--font-size", flags.font_size, "pt", 3, 40, "3pt to 40pt");
   }
   return layout;
 }

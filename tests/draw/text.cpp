@@ -81,6 +81,8 @@ TEST_CASE("widths grow with the text and do not count markup") {
   CHECK(text_width("WWW", 10) > text_width("iii", 10));
   CHECK(text_width("abc", 10, true) > text_width("abc", 10));
   CHECK(text_width("", 10) == 0);
+  CHECK(text_width("ω", 10) == doctest::Approx(8.37)); // as DejaVu Sans has it
+  CHECK(text_width("Λ", 10) == doctest::Approx(6.84));
 }
 
 TEST_CASE("long labels are wrapped, shrunk, and cut only where nothing else helps") {

@@ -11,8 +11,8 @@ namespace brdfplot::plot {
 
 namespace {
 
-/// One font, the one by which text is measured, so that the same text is the same picture.
-constexpr std::string_view font = "DejaVu Sans,sans-serif";
+/// The font by which text is measured, so that the same text is the same picture; where it is not, one of its widths.
+constexpr std::string_view font = "DejaVu Sans,Verdana,sans-serif";
 
 std::string fixed(double value) {
   std::string text;
