@@ -111,7 +111,7 @@ void append_caption(std::string& out, const Page& page, const Numbered& numbered
     out += '.';
   }
   if (!entry.title.empty() && caption_needs_title(entry)) {
-    out += names_itself ? ": " : " ";
+    out += names_itself ? ": " : "</strong> <strong>";
     if (names_itself) append_html(out, entry.title);
     if (!names_itself) append_sentence(out, entry.title);
   }

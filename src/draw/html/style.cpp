@@ -78,8 +78,9 @@ h2{font-size:1.25rem}
 }
 @media screen and (max-width:36rem){
 table{font-size:.72rem}
-th,td{padding:.25rem .2rem;overflow-wrap:break-word}
-th{white-space:normal;vertical-align:bottom}
+th,td{padding:.25rem .15rem;overflow-wrap:break-word}
+th,th.num{white-space:normal;vertical-align:bottom}
+details.rows table{font-size:.6rem}
 }
 )css";
 

@@ -111,7 +111,9 @@ private:
     const double bottom = plot.bottom() - y_[run.first_row] * plot.h;
     if (right - left < 0.005 || bottom - top < 0.005) return;
     auto& path = run.colour == undefined ? undefined_ : colours_[static_cast<std::size_t>(run.colour)];
-    path.rectangle({left, top, right - left, bottom - top});
+    // Renderers that smooth edges show the page between cells that only touch.
+    constexpr double overlap = 0.3;
+    path.rectangle({left, top, right - left + overlap, bottom - top + overlap});
   }
 
   const PanelPlan& plan_;

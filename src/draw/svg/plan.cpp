@@ -3,6 +3,7 @@
 #include "base/interrupt.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -32,10 +33,14 @@ double page_width(const Layout& layout, int columns) {
   return columns == 1 ? 640 : 720;
 }
 
-/// How many panels find room side by side.
-int columns_in(Kind kind, double width) {
-  const double least = kind == Kind::spheres ? 90 : kind == Kind::profile ? 150 : kind == Kind::heatmap ? 190 : 165;
-  return std::max(1, static_cast<int>((width - 2 * page_margin + column_gap) / (least + column_gap)));
+/// How many of the columns find room side by side: all, or so many that a row of the figure fills several whole rows.
+int columns_in(Kind kind, double width, int columns) {
+  const int row = columns;
+  constexpr std::array<double, panel_kinds.size()> least = {165, 150, 190, 150, 70}; // in the order of Kind
+  const double each = least[static_cast<std::size_t>(kind)] + column_gap;
+  const int room = static_cast<int>((width - 2 * page_margin + column_gap) / each);
+  while (columns > 1 && (columns > room || row % columns != 0)) --columns;
+  return columns;
 }
 
 /// The data on the axis that panels may share.
@@ -161,7 +166,7 @@ FigurePlan plan_figure(const Figure& figure, const Layout& layout) {
   plan.id = clean_id(figure.id);
   plan.columns = std::clamp(figure.columns, 1, std::max(1, static_cast<int>(figure.panels.size())));
   plan.width = page_width(layout, plan.columns);
-  if (layout.width_mm > 0) plan.columns = std::min(plan.columns, columns_in(figure.kind, plan.width));
+  if (layout.width_mm > 0) plan.columns = columns_in(figure.kind, plan.width, plan.columns);
   plan.shrink = std::min(1.0, plan.width / page_width({}, plan.columns));
   const double width = plan.width - 2 * page_margin;
   if (layout.title) plan.title = fit_text(figure.title, font::title, width, 2, true);
