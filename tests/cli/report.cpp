@@ -320,7 +320,7 @@ TEST_CASE("manifests that are wrong") {
               {"d.json: /entries/0/data/columns/1", "\"errors\"", "\"error\""});
   folder.write("e.json", R"({"title": "x", "references": [{"cited": ["Me"], "text": "Me, 2014"}],
     "entries": [{"section": "s", "figure": "curve.json"}]})");
-  check_error(folder, "brdfplot report e.json -o out", 2, {"e.json: /references/0", "\"doi\"", "\"url\""});
+  check_error(folder, "brdfplot report e.json -o out", 2, {"e.json: /references/0", "doi", "url"});
   CHECK_FALSE(folder.has("out"));
 }
 
@@ -345,10 +345,10 @@ TEST_CASE("numbers that are a paper's, references, a licence, and the columns of
 TEST_CASE("the JSON beside a figure stands by itself: what it refers to is in it") {
   const Folder folder;
   write_report(folder);
-  folder.write("parts/ggx.json", R"({"distribution": {"type": "ggx", "alpha": 0.5}})");
+  folder.write("ggx.json", R"({"distribution": {"type": "ggx", "alpha": 0.5}})");
   std::string refers = curve;
   const std::string inline_material = R"({"distribution": {"type": "ggx", "alpha": 0.5}})";
-  refers.replace(refers.find(inline_material), inline_material.size(), R"({"$ref": "parts/ggx.json"})");
+  refers.replace(refers.find(inline_material), inline_material.size(), R"({"$ref": "ggx.json"})");
   folder.write("curve.json", refers);
   check_output(folder, "brdfplot report report.json -o out");
   check_output(folder, "brdfplot plot out/figures/curve.json -o again");

@@ -36,7 +36,7 @@ double page_width(const Layout& layout, int columns) {
 /// How many of the columns find room side by side: all, or so many that a row of the figure fills several whole rows.
 int columns_in(Kind kind, double width, int columns) {
   const int row = columns;
-  constexpr std::array<double, panel_kinds.size()> least = {165, 150, 190, 150, 70}; // in the order of Kind
+  constexpr std::array<double, panel_kinds.size()> least = {165, 150, 190, 150, 90}; // in the order of Kind
   const double each = least[static_cast<std::size_t>(kind)] + column_gap;
   const int room = static_cast<int>((width - 2 * page_margin + column_gap) / each);
   while (columns > 1 && (columns > room || row % columns != 0)) --columns;
