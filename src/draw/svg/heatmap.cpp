@@ -11,6 +11,9 @@ namespace {
 
 constexpr int undefined = -1;
 
+/// Renderers that smooth edges show the page between cells that only touch.
+constexpr double overlap = 0.5;
+
 using ColourPaths = std::array<PathData, map_colours>;
 
 /// The edges of cells around their centres, as places in [0, 1] of the axis: midway between neighbours.
@@ -111,9 +114,9 @@ private:
     const double bottom = plot.bottom() - y_[run.first_row] * plot.h;
     if (right - left < 0.005 || bottom - top < 0.005) return;
     auto& path = run.colour == undefined ? undefined_ : colours_[static_cast<std::size_t>(run.colour)];
-    // Renderers that smooth edges show the page between cells that only touch.
-    constexpr double overlap = 0.3;
-    path.rectangle({left, top, right - left + overlap, bottom - top + overlap});
+    const double to_right = std::min(right + overlap, plot.right()),
+                 to_bottom = std::min(bottom + overlap, plot.bottom());
+    path.rectangle({left, top, to_right - left, to_bottom - top});
   }
 
   const PanelPlan& plan_;
@@ -147,7 +150,8 @@ void draw_bar_colours(SvgWriter& svg, const PanelPlan& plan, const Box& bar) {
                              ? plan.value.from * std::pow(plan.value.to / plan.value.from, place)
                              : std::lerp(plan.value.from, plan.value.to, place);
     PathData strip;
-    strip.rectangle({bar.x, bar.bottom() - bar.h * (k + 1) / map_colours, bar.w, bar.h / map_colours});
+    const double top = std::max(bar.bottom() - bar.h * (k + 1) / map_colours - overlap, bar.y);
+    strip.rectangle({bar.x, top, bar.w, bar.bottom() - bar.h * k / map_colours - top});
     svg.path(strip, {prefix + std::to_string(colour_index(plan, value)), 0, {}, {}});
   }
   svg.close_group();
