@@ -154,7 +154,7 @@ DataTable read_data(const JsonFile& file, const std::string& pointer, const Json
 }
 
 ShapePtr reference_shape() {
-  return named("reference", [] {
+  return named("publication", [] {
     return object_with_alternatives(
         {{"cited", array(text(), 1, 20), true, "how captions name it, as \"Walter et al. 2007\"; the first is a link"},
          {"text", text(), true, "author, title, where and when"},

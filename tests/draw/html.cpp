@@ -116,6 +116,14 @@ TEST_CASE("numbers are the paper's, or the page's beside them") {
   CHECK(count(html, "href=\"https://a.b/?c&amp;d\"") == 1);
 }
 
+TEST_CASE("names in tables keep their underscores, and may be broken there") {
+  Page named = page();
+  named.entries.back().table = {{"masking", "x"}, {"v_cavity", "1"}, {"student\\_t", "2"}};
+  const auto html = to_html(named);
+  CHECK(count(html, "<td>v_<wbr>cavity</td>") == 1);
+  CHECK(count(html, "<td>student_<wbr>t</td>") == 1);
+}
+
 TEST_CASE("a table that is a summary has its rows to unfold") {
   Page folded = page();
   folded.entries.back().all_rows = {{"check"}, {"a"}, {"b"}};
