@@ -123,9 +123,8 @@ void StyleSheet::add_chrome() {
   rule(".bp-grid", "stroke", 4);
   rule(".bp-nan", "fill", 5);
   rule(".bp-hatch", "stroke", 3);
-  rule(".bp-veil", "stroke", 0);
   plain_ += ".bp-halo{stroke:#fff}\n.bp-contour{stroke:#111}\n.bp-no{fill:none}\n";
-  plain_ += ".bp-veil{paint-order:stroke;stroke-width:4;stroke-linejoin:round}\n";
+  plain_ += ".bp-veil{fill-opacity:.8}\n";
   plain_ += ".bp-line{stroke-linejoin:round}\n.bp-cells{shape-rendering:crispEdges}\n";
 }
 

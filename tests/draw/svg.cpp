@@ -229,3 +229,11 @@ TEST_CASE("a label of several parts begins where it has to: some renderers ancho
     CHECK((text.find("<tspan") == std::string::npos || text.find("text-anchor") == std::string::npos));
   }
 }
+
+TEST_CASE("labels over lines have a box under them, no outline: renderers that paint it over the text hide the text") {
+  auto figure = plot_tests::polar_figure();
+  figure.panels[0].arrows[0].theta = 3; // a full disc, whose labels lie in it
+  const auto svg = to_svg(figure);
+  CHECK(count(svg, "paint-order") == 0);
+  CHECK(count(svg, "<rect class=\"bp-bg bp-veil\"") > 3);
+}

@@ -199,8 +199,8 @@ void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
   for (const auto& point : points) {
     if (!point.place) continue;
     svg.open_group("bp-name", key_attribute(point.look));
-    svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start,
-             "bp-ink bp-veil");
+    svg.veil(*point.place);
+    svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start);
     svg.close_group();
   }
 }

@@ -144,7 +144,8 @@ void draw_polar(SvgWriter& svg, const PanelPlan& plan) {
   for (const auto& arrow : plan.panel->arrows) draw_arrow(svg, disc, arrow);
   for (const auto& label : plan.labels) {
     const Point at{disc.centre.x + label.box.x + label.box.w / 2, disc.centre.y + label.box.y + 0.85 * label.size};
-    svg.text(at, label.text, label.size, Anchor::middle, disc.full ? "bp-ink bp-veil" : "bp-ink");
+    if (disc.full) svg.veil({at.x - label.box.w / 2, disc.centre.y + label.box.y, label.box.w, label.box.h});
+    svg.text(at, label.text, label.size, Anchor::middle);
   }
   const double bottom = plan.plot.bottom() + plan.insets.bottom - plan.x_title.height();
   svg.lines({disc.centre.x, bottom}, plan.x_title, Anchor::middle);

@@ -227,7 +227,8 @@ void draw_profile(SvgWriter& svg, const PanelPlan& plan) {
   for (const auto& label : plan.labels) {
     const Point middle{plan.plot.x + label.box.x + label.box.w / 2,
                        plan.plot.bottom() + label.box.y + 0.85 * label.size};
-    svg.text(middle, label.text, label.size, Anchor::middle, "bp-ink bp-veil");
+    svg.veil({plan.plot.x + label.box.x, plan.plot.bottom() + label.box.y, label.box.w, label.box.h});
+    svg.text(middle, label.text, label.size, Anchor::middle);
   }
 }
 

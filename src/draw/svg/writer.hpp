@@ -85,6 +85,8 @@ public:
   /// One line of text with its baseline at `at`.
   void text(Point at, std::string_view label, double size, Anchor anchor, std::string_view classes = "bp-ink",
             bool bold = false);
+  /// What lies under a label fades there. A box: not all renderers paint the outline of a text before the text.
+  void veil(const Box& box) { rect(box, "bp-bg bp-veil"); }
   /// Lines of text below each other; `top` is the upper edge of the first.
   void lines(Point top, const FittedText& text, Anchor anchor, std::string_view classes = "bp-ink");
   /// Lines of text turned to be read upward; `centre` is the middle of the block.
