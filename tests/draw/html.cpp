@@ -98,6 +98,8 @@ TEST_CASE("the page holds each thing once: drawings without their style, data de
     CHECK(count(html, "<a data-file=\"" + name + "\" download href=\"figures/a." + name + "\">") == 2);
   }
   CHECK(count(html, "data-enlarge hidden") == 2);
+  small.entries[1].stem.clear(); // no files beside the page: a script makes them
+  CHECK(count(to_html(small), "<a data-file=\"csv\" hidden download href=\"a.csv\">") == 1);
 }
 
 TEST_CASE("numbers are the paper's, or the page's beside them") {

@@ -128,9 +128,10 @@ std::string unstyled(const std::string& svg) {
   return from == std::string::npos || to == std::string::npos ? svg : svg.substr(0, from) + svg.substr(to + end.size());
 }
 
-/// A link to the file beside the page; a script makes the file from the page, which may have been moved.
+/// A link to the file beside the page; a script makes the file from the page, which may have been moved. Where there
+/// is no file, the link is for the script to show.
 void append_file(std::string& out, const PageEntry& entry, const std::string& kind, const std::string& name) {
-  out += "<a data-file=\"" + kind + "\" download href=\"";
+  out += "<a data-file=\"" + kind + "\"" + (entry.stem.empty() ? " hidden" : "") + " download href=\"";
   append_escaped(out, (entry.stem.empty() ? entry.id : entry.stem) + "." + kind);
   out += "\">" + name + "</a>\n";
 }

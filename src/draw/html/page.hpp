@@ -21,7 +21,7 @@ struct PageEntry {
   std::string json;     ///< the configuration that made it, to unfold
   Cells table;          ///< of a table; empty for a figure
   double seconds = 0;   ///< how long it took to compute
-  std::string stem{};   ///< of its files beside the page: "figures/fig11_lobes"; default: the id
+  std::string stem{};   ///< of its files beside the page, "figures/fig11_lobes"; none: there are no files
   std::string number{}; ///< the paper's own, "Fig. 11"; none: it gets one of the page's
   Cells all_rows{};     ///< of a table that is a summary: what it summarises, to unfold
 };

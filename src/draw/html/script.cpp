@@ -264,11 +264,13 @@ for (const svg of all('.plot svg')) {
   for (const name of ['pointermove', 'pointerdown']) svg.addEventListener(name, event => read(event, svg));
   svg.addEventListener('pointerleave', event => { if (event.pointerType === 'mouse') forget(); });
 }
-for (const link of all('a[data-file]'))
+for (const link of all('a[data-file]')) {
+  link.hidden = false;
   link.addEventListener('click', event => {
     event.preventDefault();
     save(link);
   });
+}
 for (const button of all('button[data-enlarge]')) {
   button.hidden = false;
   button.onclick = () => enlarge(button.closest('figure'));
