@@ -4,6 +4,7 @@
 #include "analysis/fit/code.hpp"
 #include "base/errors.hpp"
 #include "base/text_files.hpp"
+#include "choice/advise/examine.hpp"
 #include "choice/advise/text.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
@@ -35,6 +36,7 @@ std::vector<choice::MaterialAdvice> advice_for(const choice::AdviceScene& scene,
       progress.set(done, total, "models of " + material.material.name);
     };
     all.push_back(choice::advise(scene, material, {settings.threads, show}));
+    all.back().examined = choice::examine(scene, all.back(), settings.threads);
   }
   return all;
 }

@@ -276,9 +276,11 @@ Command add_check(CLI::App& app, const Settings& settings) {
       ->type_name("N");
   command->add_option("--seed", flags->sampling.seed, "Of --sampling; default: 1")->type_name("S");
   command
-      ->add_option("--pdf", flags->sampling.density,
-                   "Of --sampling: a density to test instead of the strategy's own, a formula of that, pdf, of the "
-                   "directions x_o ... z_i and x_h y_h z_h, of theta_o phi_o theta_i phi_i theta_h phi_h, and of o_h")
+      ->add_option(
+          "--pdf", flags->sampling.density,
+          "Of --sampling: a density to test instead of the strategy's own, such as a renderer has for this material, "
+          "a formula of that, pdf, of the "
+          "directions x_o ... z_i and x_h y_h z_h, of theta_o phi_o theta_i phi_i theta_h phi_h, and of o_h")
       ->type_name("FORMULA");
   command->footer("Exit code 1 when a property that a material claims (\"claims\": [\"physically_based\"]) fails,\n"
                   "or a sampler does;\n"

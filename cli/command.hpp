@@ -31,6 +31,7 @@ Command add_eval(CLI::App& app, const Settings& settings);
 Command add_pareto(CLI::App& app, const Settings& settings);
 Command add_plot(CLI::App& app, const Settings& settings);
 Command add_advise(CLI::App& app, const Settings& settings);
+Command add_bake(CLI::App& app, const Settings& settings);
 Command add_check(CLI::App& app, const Settings& settings);
 Command add_compare(CLI::App& app, const Settings& settings);
 Command add_convert(CLI::App& app, const Settings& settings);

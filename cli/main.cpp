@@ -79,6 +79,7 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
                                               cli::add_report(app, settings),
                                               cli::add_sample(app, settings),
                                               cli::add_compare(app, settings),
+                                              cli::add_bake(app, settings),
                                               cli::add_pareto(app, settings),
                                               cli::add_stress(app, settings),
                                               cli::add_advise(app, settings),

@@ -113,6 +113,13 @@ std::string notes(const choice::ProblemResult& result) {
   return out;
 }
 
+/// Who says where its methods fail, and on which inputs.
+std::string faults(const choice::Problem& problem) {
+  const std::vector<std::string> known = choice::problem_names();
+  if (std::ranges::find(known, problem.name) == known.end()) return "";
+  return "  faults: brdfplot stress " + problem.name + "\n";
+}
+
 /// Where times were measured, if they were.
 using Machine = std::optional<choice::MachineRecord>;
 
@@ -129,7 +136,8 @@ std::string tables(const std::vector<choice::ProblemResult>& results, const Mach
   const bool times = machine.has_value();
   std::string out;
   for (const auto& result : results)
-    out += heading(result, times) + aligned(pareto_cells(result)) + fronts(result, times) + notes(result) + "\n";
+    out += heading(result, times) + aligned(pareto_cells(result)) + fronts(result, times) + notes(result) +
+           faults(result.problem) + "\n";
   out += choice::pareto_legend();
   if (machine) out += "Times: " + machine->text() + "\n";
   return out;

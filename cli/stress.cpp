@@ -6,6 +6,7 @@
 #include "base/text_files.hpp"
 #include "choice/methods/problems.hpp"
 #include "choice/stress/error_map.hpp"
+#include "choice/stress/exhaustive.hpp"
 #include "choice/stress/findings_text.hpp"
 #include "choice/stress/material_problems.hpp"
 #include "command.hpp"
@@ -14,6 +15,7 @@
 #include "figure/stress_figure.hpp"
 #include "models/parameters.hpp"
 #include "render.hpp"
+#include "terminal.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,7 +32,7 @@ namespace {
 struct StressFlags {
   std::vector<std::string> names;
   std::vector<std::string> fail_on;
-  bool json = false, markdown = false;
+  bool json = false, markdown = false, exhaustive = false;
   std::string output;
 };
 
@@ -146,10 +148,28 @@ void write_files(const std::vector<Asked>& asked, const std::vector<choice::Meth
   write_text_files(files);
 }
 
+/// Instead of a search, every float of the problems with one input.
+int run_exhaustive(const std::vector<Asked>& asked, const Settings& settings) {
+  std::vector<choice::Exhausted> all;
+  for (const Asked& one : asked) {
+    Progress progress(settings);
+    const auto found = choice::exhaust(one.problem, one.method, settings.threads, [&](double share) {
+      progress.set(static_cast<std::size_t>(100 * share), 100, one.problem.name);
+    });
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  if (all.empty())
+    throw InputError("stress", "--exhaustive: nothing here has one input and a method in float; accepted: problems "
+                               "such as lambda_ggx");
+  print(choice::exhausted_markdown(all));
+  return 0;
+}
+
 int run(const StressFlags& flags, const Settings& settings) {
   check_kinds(flags.fail_on);
   if (flags.json && flags.markdown) throw InputError("stress", "accepted: one of --json, --markdown");
   std::vector<Asked> asked = what_is_asked(flags.names);
+  if (flags.exhaustive) return run_exhaustive(asked, settings);
   search_all(asked, !flags.output.empty(), settings);
   std::vector<choice::MethodReport> reports;
   for (const auto& one : asked) reports.insert(reports.end(), one.reports.begin(), one.reports.end());
@@ -175,6 +195,8 @@ Command add_stress(CLI::App& app, const Settings& settings) {
       ->type_name("DIR");
   command->add_flag("--json", flags->json, "Every method with its largest error and its failures, as JSON");
   command->add_flag("--markdown", flags->markdown, "A table for a page");
+  command->add_flag("--exhaustive", flags->exhaustive,
+                    "Every float instead of a search, of methods in float with one input: an upper bound; minutes");
   command->add_option("--fail-on", flags->fail_on, "Exit code 1 when such a failure is found; may be repeated")
       ->type_name("KIND|any");
   command->footer(kinds_text() + footer("brdfplot stress d_ggx --fail-on nan"));

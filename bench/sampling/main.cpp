@@ -1,7 +1,7 @@
 /// \file
 /// Nanoseconds a sample of visible normals: direction, density and weight f cos / pdf (F = 1), in batches at one
-/// viewer, beside plain transcriptions of what renderers do, one sample after the other in double. The two take turns,
-/// and the fastest turn of each counts.
+/// viewer, beside plain transcriptions of what renderers do, one sample after the other in double; and of every
+/// strategy. All take turns, and the fastest turn of each counts.
 #include "sampling/points.hpp"
 #include "sampling/sampler.hpp"
 #include "sampling/weights.hpp"
@@ -238,6 +238,23 @@ void measure(const std::string& type, const std::string& name, const std::string
               theirs / ours, apart);
 }
 
+/// Every strategy of mirrors, of one distribution.
+void measure_strategies(const std::string& type, const std::vector<std::string>& strategies) {
+  const Material material = material_of(type, "height_correlated");
+  const std::vector<SamplePoint> all = points(PointKind::sobol, 1, 0, 0, samples);
+  const std::vector<Direction> from = all_viewers();
+  std::vector<double> fastest(strategies.size(), infinity);
+  WeightedSamples out;
+  for (int round = 0; round < 100; ++round)
+    for (std::size_t k = 0; k < strategies.size(); ++k) {
+      const Sampler sampler(material, strategies[k]);
+      const auto run = [&](const Direction& o) { draw(material, sampler, o, all, out); };
+      fastest[k] = std::min(fastest[k], seconds(from, run));
+    }
+  for (std::size_t k = 0; k < strategies.size(); ++k)
+    std::printf("| %s | %s | %.1f |\n", type.c_str(), strategies[k].c_str(), 1e9 * fastest[k]);
+}
+
 } // namespace
 
 int main() {
@@ -246,4 +263,7 @@ int main() {
   measure("ggx", "as pbrt-v4", "height_correlated", one_by_one<pbrt::sample>);
   measure("ggx", "as Mitsuba 3", "separable", one_by_one<mitsuba::sample<mitsuba::Type::ggx>>);
   measure("beckmann", "as Mitsuba 3", "separable", one_by_one<mitsuba::sample<mitsuba::Type::beckmann>>);
+  std::printf("\n| distribution | strategy | ns a sample |\n| --- | --- | --- |\n");
+  measure_strategies("ggx", {"cosine", "half_vector", "visible_normals", "heitz_2018"});
+  measure_strategies("beckmann", {"cosine", "half_vector", "visible_normals"});
 }

@@ -111,6 +111,8 @@ const std::vector<SampledQuantityInfo>& sampled_quantities() {
       {SampledQuantity::weight_variance, "weight_variance",
        "variance of brdf_cos / pdf over the samples of a strategy"},
       {SampledQuantity::largest_weight, "largest_weight", "largest brdf_cos / pdf of 8192 directions"},
+      {SampledQuantity::sampling_cost, "sampling_cost", "estimated multiply-adds of a sample and its weight"},
+      {SampledQuantity::variance_times_cost, "variance_times_cost", "weight_variance times sampling_cost"},
   };
   return all;
 }

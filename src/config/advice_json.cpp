@@ -116,7 +116,11 @@ ShapePtr advice_shape() {
        {"exposure", number({.min = 1e-6, .max = 1e6}), false,
         "radiance times it is shown, 1 as white of 203 cd/m^2; default 1"},
        {"tolerance", tolerance_shape(), true, "how far 95 % of the lit area may be off, the worst 1 % twice as far"},
-       {"budget", number({.min = 1, .max = 1e9}), false, "most operations of a shaded point, under all lights"}},
+       {"target", choice(choice::target_names()), false,
+        "what runs it: a shader, or a processor that starts from double or float, one by one or in lanes; default "
+        "shader"},
+       {"budget", number({.min = 1, .max = 1e9}), false,
+        "most operations of a shaded point, under all lights; of a processor its multiply-adds in double"}},
       true);
 }
 
@@ -143,6 +147,7 @@ choice::AdviceScene load_advice(const std::string& path) {
   const bool relative = tolerance.contains("relative");
   scene.tolerance = {relative ? choice::Metric::relative : choice::Metric::delta_e,
                      tolerance[relative ? "relative" : "delta_e"].get<double>()};
+  if (root.contains("target")) scene.target = choice::target_of(root["target"].get<std::string>());
   if (root.contains("budget")) scene.budget = root["budget"].get<double>();
   return scene;
 }

@@ -326,14 +326,17 @@ plot::FigureDescription read_figure(const JsonFile& file) {
   return Reader(file).figure();
 }
 
-} // namespace
-
-FigureFile load_figure(const std::string& path) {
-  const JsonFile file(path);
+FigureFile figure_of(const JsonFile& file) {
   expect_kind(file, "figure");
   const bool refers = file.text().find("\"$ref\"") != std::string::npos;
   return {read_figure(file), refers ? file.root().dump(2) + "\n" : file.text()};
 }
+
+} // namespace
+
+FigureFile load_figure(const std::string& path) { return figure_of(JsonFile(path)); }
+
+FigureFile figure_from_text(const std::string& json, const std::string& name) { return figure_of(JsonFile(name, json)); }
 
 plot::FigureDescription load_quick_figure(const QuickFigure& figure) {
   return read_figure(JsonFile("plot", quick_figure(figure, ".")));

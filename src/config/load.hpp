@@ -23,6 +23,9 @@ namespace brdfplot::config {
 /// A material that is complete and can be built: name (the file's stem when it gives none).
 MaterialDescription load_material(const std::string& path);
 
+/// The same of a text that is no file: errors say `name`, and references are relative to the working directory.
+MaterialDescription material_from_text(const std::string& json, const std::string& name);
+
 /// A figure with the text of its file; where that refers to others, with what they say in their place.
 struct FigureFile {
   plot::FigureDescription figure;
@@ -30,6 +33,7 @@ struct FigureFile {
 };
 
 FigureFile load_figure(const std::string& path);
+FigureFile figure_from_text(const std::string& json, const std::string& name);
 
 /// A table that a CSV file has: what was measured elsewhere, and is shown as it is.
 struct DataTable {

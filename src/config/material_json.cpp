@@ -257,12 +257,21 @@ MaterialDescription read_material(const JsonFile& file, const Json& value, const
   return material;
 }
 
-MaterialDescription load_material(const std::string& path) {
-  const JsonFile file(path);
+namespace {
+
+MaterialDescription material_of(const JsonFile& file) {
   expect_kind(file, "material");
   static const ShapePtr shape = material_shape(true);
   file.check(*shape);
   return read_material(file, file.root(), "");
+}
+
+} // namespace
+
+MaterialDescription load_material(const std::string& path) { return material_of(JsonFile(path)); }
+
+MaterialDescription material_from_text(const std::string& json, const std::string& name) {
+  return material_of(JsonFile(name, json));
 }
 
 } // namespace brdfplot::config

@@ -74,14 +74,14 @@ Figure advice_figure(const choice::AdviceScene& scene, const choice::MaterialAdv
   constexpr double shown_beyond_answer = 3;
   chart.points =
       thinned(chart.points, advice.answer ? shown_beyond_answer * advice.models[*advice.answer].cost : infinity);
-  chart.cost = {.label = "estimated operations of a shaded point", .column = "cost"};
+  chart.cost = {.label = choice::cost_unit(scene.target) + " of a shaded point", .column = "cost"};
   const bool delta_e = scene.tolerance.metric == choice::Metric::delta_e;
   chart.error = {.label = std::string(delta_e ? "ΔE_{ITP}" : "relative radiance") + ": p95, or half of the worst 1 %",
                  .column = "error"};
   chart.tolerance = scene.tolerance.value;
   return cost_figure(
       {chart}, id, "The least model: " + advice.name + " (" + scene.name + ")",
-      "Error of a lit sphere against the operations of a shader, for the models that are simpler than the "
+      "Error of a lit sphere against what shading a point costs, for the models that are simpler than the "
       "material in full.");
 }
 

@@ -54,6 +54,16 @@ double Facets::visible_area(const Direction& v) const {
   return sum;
 }
 
+void Facets::visible_areas(const kernels::Vectors<double>& v, double* areas, std::size_t n) const {
+  std::vector<double> c(n), s(n), own(n);
+  std::fill_n(areas, n, 0.0);
+  for (const Component& component : components_) {
+    kernels::project(component.frame.stretch(), v, c.data(), s.data(), n);
+    brdfplot::visible_areas(component, c.data(), s.data(), own.data(), n);
+    for (std::size_t k = 0; k < n; ++k) areas[k] += component.weight * own[k];
+  }
+}
+
 namespace {
 
 /// As visible_normal() sees v.

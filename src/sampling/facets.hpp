@@ -34,6 +34,8 @@ public:
   Direction normal(const SamplePoint& point) const;
   /// The area that the facets project towards v, c (1 + Lambda), c > 0 (Heitz 2014, Eq. 41).
   double visible_area(const Direction& v) const;
+  /// The same of n directions.
+  void visible_areas(const kernels::Vectors<double>& v, double* areas, std::size_t n) const;
 
   /// Normals with the density <v, m> D(m) / visible_area(v), c of v > 0 (Eq. 16).
   class Viewer {

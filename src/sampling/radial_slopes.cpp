@@ -124,12 +124,22 @@ double azimuth(double c, double k, double v) {
 } // namespace
 
 double visible_area(const Component& component, const Projection& in_frame) {
-  return std::visit(
+  double s = in_frame.s, area = 0;
+  visible_areas(component, &in_frame.c, &s, &area, 1);
+  return area;
+}
+
+void visible_areas(const Component& component, const double* c, double* s, double* areas, std::size_t n) {
+  std::visit(
       [&](const auto& d) {
-        if constexpr (requires { d.masked_area(Projection{}); })
-          return in_frame.c + d.masked_area({in_frame.c, in_frame.s * d.slopes.alpha_x / component.frame.alpha_x});
-        else
-          return 0.0; // a mixture is no component
+        if constexpr (requires { d.masked_areas(c, s, areas, n); }) {
+          const double scale = d.slopes.alpha_x / component.frame.alpha_x;
+          for (std::size_t k = 0; k < n; ++k) s[k] *= scale;
+          d.masked_areas(c, s, areas, n);
+          for (std::size_t k = 0; k < n; ++k) areas[k] += c[k];
+        } else {
+          std::fill_n(areas, n, 0.0); // a mixture is no component
+        }
       },
       component.distribution);
 }

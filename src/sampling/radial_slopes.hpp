@@ -17,6 +17,8 @@ namespace brdfplot {
 /// The area that the facets of a component project towards a direction, c (1 + Lambda) without the weight, from the
 /// direction as the component's frame sees it.
 double visible_area(const Component& component, const Projection& in_frame);
+/// The same of n directions, of which the frame sees c and s; s is changed.
+void visible_areas(const Component& component, const double* c, double* s, double* areas, std::size_t n);
 
 /// The slopes of a component in its frame, where their density f(r) depends on the norm r alone, 2 pi int f r dr = 1.
 /// Where the distribution has no closed form for what is asked, the integrals are taken over ln r in pieces that

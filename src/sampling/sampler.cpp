@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace brdfplot {
 
@@ -28,19 +27,27 @@ double size_of(const WeightedTerm& term) {
   return mean(term.weight.value) * own;
 }
 
-double mean_reflectance(const Fresnel& fresnel, double cosine) {
-  return std::visit(
+/// F of each cosine, as a mean of channels.
+std::vector<double> mean_reflectances(const Fresnel& fresnel, const std::vector<double>& cosines) {
+  std::vector<double> sums(cosines.size(), 0), values(cosines.size());
+  std::visit(
       [&](const auto& f) {
         const std::size_t channels = f.coloured() ? 3 : 1;
-        double sum = 0;
         for (std::size_t c = 0; c < channels; ++c) {
-          double value = 0;
-          f.reflectances(&cosine, c, &value, 1);
-          sum += value;
+          f.reflectances(cosines.data(), c, values.data(), values.size());
+          for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += values[k] / static_cast<double>(channels);
         }
-        return sum / static_cast<double>(channels);
       },
       fresnel);
+  return sums;
+}
+
+/// What is not reflected, as a mean of channels.
+double mean_loss(const AlbedoTable& table, const Direction& omega_o) {
+  double loss = 0;
+  for (std::size_t c = 0; c < table.channels(); ++c)
+    loss += table.loss(c, omega_o) / static_cast<double>(table.channels());
+  return loss;
 }
 
 bool is_about_half_vector(const WeightedTerm& term) {
@@ -144,31 +151,44 @@ Sampler::Sampler(const Material& material, const std::string& strategy, const st
   }
 }
 
-std::vector<double> Sampler::sizes(const Direction& omega_o) const {
-  const double cosine = std::clamp(dot(omega_o, mean_normal_), 0.0, 1.0);
-  std::vector<double> sizes;
-  for (const Lobe& lobe : lobes_) {
-    if (complement_ == nullptr) {
-      sizes.push_back(lobe.fresnel == nullptr ? lobe.size : lobe.size * mean_reflectance(*lobe.fresnel, cosine));
-      continue;
-    }
-    const AlbedoTable& table = complement_->of.table();
-    double loss = 0;
-    for (std::size_t c = 0; c < table.channels(); ++c)
-      loss += table.loss(c, omega_o) / static_cast<double>(table.channels());
-    sizes.push_back(lobe.direct != nullptr ? lobe.size * loss : 1 - loss);
+std::vector<double> Sampler::sizes(std::size_t n, const Columns& omega_o) const {
+  std::vector<double> sizes(lobes_.size() * n), cosines(n), losses(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    cosines[k] = std::clamp(dot(omega_o[k], mean_normal_), 0.0, 1.0);
+    if (complement_ != nullptr) losses[k] = mean_loss(complement_->of.table(), omega_o[k]);
+  }
+  for (std::size_t l = 0; l < lobes_.size(); ++l) {
+    const Lobe& lobe = lobes_[l];
+    std::vector<double> own(n, 1);
+    if (complement_ != nullptr)
+      for (std::size_t k = 0; k < n; ++k) own[k] = lobe.direct != nullptr ? lobe.size * losses[k] : 1 - losses[k];
+    else if (lobe.fresnel != nullptr)
+      own = mean_reflectances(*lobe.fresnel, cosines);
+    const double factor = complement_ == nullptr ? lobe.size : 1;
+    for (std::size_t k = 0; k < n; ++k) sizes[l * n + k] = factor * own[k];
   }
   return sizes;
 }
 
-std::vector<double> Sampler::shares(const Direction& omega_o) const {
+std::vector<double> Sampler::shares_of_rows(std::size_t n, const Columns& omega_o) const {
   constexpr double even = 0.1;
-  const auto count = static_cast<double>(lobes_.size());
-  std::vector<double> shares = sizes(omega_o);
-  double sum = 0;
-  for (const double share : shares) sum += share;
-  for (double& share : shares) share = sum > 0 ? (1 - even) * share / sum + even / count : 1 / count;
+  const std::size_t count = lobes_.size();
+  std::vector<double> shares = count > 1 ? sizes(n, omega_o) : std::vector<double>(n, 1);
+  for (std::size_t k = 0; k < n; ++k) {
+    double sum = 0;
+    for (std::size_t l = 0; l < count; ++l) sum += shares[l * n + k];
+    const double each = 1 / static_cast<double>(count);
+    const bool above = map_.project(omega_o[k]).c > 0;
+    for (std::size_t l = 0; l < count; ++l) {
+      double& share = shares[l * n + k];
+      share = !above ? 0 : sum > 0 ? (1 - even) * share / sum + even * each : each;
+    }
+  }
   return shares;
+}
+
+std::vector<double> Sampler::shares(const Direction& omega_o) const {
+  return shares_of_rows(1, {&omega_o.x, &omega_o.y, &omega_o.z});
 }
 
 Sampler::Viewer::Viewer(const Sampler& sampler, const Direction& omega_o) : sampler_(&sampler), omega_o_(omega_o) {
@@ -190,48 +210,6 @@ Direction Sampler::Viewer::sample(const SamplePoint& point) const {
   if (lobe.facets == nullptr) return sample_cosine(sampler_->mean_normal_, rest[0], rest[1]);
   const Direction m = facets_[k] ? facets_[k]->normal(rest) : lobe.facets->normal(rest);
   return normalized(reflected(omega_o_, m));
-}
-
-void Sampler::lobe_densities(const Lobe& lobe, std::size_t n, const Columns& omega_o, const Columns& omega_i,
-                             double* out) const {
-  if (lobe.direct != nullptr) {
-    for (std::size_t k = 0; k < n; ++k) out[k] = lobe.direct->density(omega_o[k], omega_i[k]);
-    return;
-  }
-  if (lobe.facets == nullptr) {
-    for (std::size_t k = 0; k < n; ++k) out[k] = std::fmax(dot(omega_i[k], mean_normal_), 0.0) * std::numbers::inv_pi;
-    return;
-  }
-  // A mirror with a normal that turns away from the viewer is seen from behind: its half vector is -m.
-  DirectionArrays normals;
-  normals.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const Direction h = half_vector(omega_o[k], omega_i[k]);
-    normals.set(k, !draws_visible(lobe.strategy) && h.z < 0 ? -1.0 * h : h);
-  }
-  const Columns m = normals.view();
-  std::visit([&](const auto& d) { d.densities({m.x, m.y, m.z}, out, n); }, lobe.facets->distribution());
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(out[k] > 0)) continue;
-    const Direction sum = omega_o[k] + omega_i[k]; // |o + i| = 2 |o.m|
-    if (!draws_visible(lobe.strategy))
-      out[k] *= m.z[k] / (2 * std::sqrt(dot(sum, sum)));
-    else
-      out[k] /= 4 * lobe.facets->visible_area(omega_o[k]);
-  }
-}
-
-void Sampler::densities(std::size_t n, const Columns& omega_o, const Columns& omega_i, double* out) const {
-  std::vector<std::vector<double>> shares_of_row(n);
-  for (std::size_t k = 0; k < n; ++k)
-    if (map_.project(omega_o[k]).c > 0) shares_of_row[k] = shares(omega_o[k]);
-  std::fill_n(out, n, 0.0);
-  std::vector<double> of_lobe(n);
-  for (std::size_t l = 0; l < lobes_.size(); ++l) {
-    lobe_densities(lobes_[l], n, omega_o, omega_i, of_lobe.data());
-    for (std::size_t k = 0; k < n; ++k)
-      if (!shares_of_row[k].empty()) out[k] += shares_of_row[k][l] * of_lobe[k];
-  }
 }
 
 } // namespace brdfplot

@@ -93,13 +93,16 @@ public:
   };
   const std::vector<Lobe>& lobes() const { return lobes_; }
   std::vector<double> shares(const Direction& omega_o) const;
+  /// That of one term alone.
   void lobe_densities(const Lobe& lobe, std::size_t n, const Columns& omega_o, const Columns& omega_i,
                       double* out) const;
   const SlopeMap& mesosurface() const { return map_; }
 
 private:
-  /// How much each term reflects, as far as that is known.
-  std::vector<double> sizes(const Direction& omega_o) const;
+  /// How much each term reflects, as far as that is known: term l of row k at l n + k.
+  std::vector<double> sizes(std::size_t n, const Columns& omega_o) const;
+  /// The chances of terms at each viewer, in the same order; 0 below the horizon.
+  std::vector<double> shares_of_rows(std::size_t n, const Columns& omega_o) const;
 
   SlopeMap map_;
   Direction mean_normal_;

@@ -3,8 +3,8 @@
 ///
 /// Each has spec() and from(values); `problem()`, what is wrong with values that are each within bounds;
 /// `realise(seed, realisation)`, the mesh; `asked()`, the map of slopes asked (none: nothing is); `target()`, the
-/// distribution of slopes that is meant, and `radial_cdf(r)`, the share of its slopes within a radius r of the unit
-/// shape. One that is the same for every seed declares `is_given`.
+/// distribution of slopes that is meant, and `unit_slopes()`, what these are at unit roughness. One that is the same for
+/// every seed declares `is_given`.
 #pragma once
 
 #include "simulation/surfaces/gaussian.hpp"

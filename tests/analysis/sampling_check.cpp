@@ -48,27 +48,67 @@ ModelChoice random_distribution(Random& random) {
   return choice;
 }
 
+TermDescription of_type(const std::string& type) {
+  TermDescription description;
+  description.name = description.type = type;
+  return description;
+}
+
+TermDescription lambert() {
+  TermDescription description = of_type("lambert");
+  description.values.set("albedo", Rgb{0.5, 0.2, 0.1});
+  return description;
+}
+
+/// GGX is drawn as it is seen by two maps.
+std::string strategy_of_facets(Random& random, bool ggx) {
+  if (random.uniform() < 0.5) return "half_vector";
+  return ggx && random.uniform() < 0.5 ? "heitz_2018" : "visible_normals";
+}
+
+TermDescription random_mixture(Random& random, bool ggx) {
+  const double first = log_between(random, 1e-3, 1), second = log_between(random, 1e-3, 1);
+  return mixture({{0.7, test::distribution("ggx", {{"alpha", first}}).distribution},
+                  {0.3, test::distribution(ggx ? "ggx" : "beckmann", {{"alpha", second}}).distribution}});
+}
+
+TermDescription random_eon(Random& random) {
+  TermDescription description = of_type("eon");
+  description.values.set("roughness", random.uniform() < 0.2 ? 1 : random.uniform());
+  description.values.set("albedo", Rgb{0.9, 0.5, 0.2});
+  return description;
+}
+
+/// Kelemen and Szirmay-Kalos' specular part, and with a chance the matte one that takes what it leaves.
+MaterialDescription random_kelemen(Random& random) {
+  TermDescription specular = of_type("kelemen"), matte = of_type("complement");
+  specular.distribution.type = random.uniform() < 0.7 ? "beckmann" : "ggx";
+  specular.distribution.values.set("alpha", log_between(random, 1e-3, 1));
+  specular.fresnel = {"schlick", {}};
+  specular.fresnel.values.set("f0", between(random, 0.02, 0.9));
+  if (random.uniform() < 0.3) return {"specular", {specular}, true};
+  matte.of.push_back(specular);
+  matte.values.set("color", Rgb{0.9, 0.5, 0.2});
+  return {"both", {specular, matte}, true};
+}
+
 /// A mirror, a mixture, a sum of terms, or what is diffuse; and a strategy that suits it.
 std::pair<MaterialDescription, std::string> random_configuration(Random& random) {
-  TermDescription mirror;
-  mirror.name = "mirror";
+  TermDescription mirror = of_type("mirror");
   mirror.distribution = random_distribution(random);
   const double kind = random.uniform();
-  if (kind < 0.6) return {mirror, random.uniform() < 0.5 ? "visible_normals" : "half_vector"};
-  if (kind < 0.75) {
-    const double first = log_between(random, 1e-3, 1), second = log_between(random, 1e-3, 1);
-    const TermDescription sum = mixture({{0.7, test::distribution("ggx", {{"alpha", first}}).distribution},
-                                         {0.3, test::distribution("beckmann", {{"alpha", second}}).distribution}});
-    return {sum, random.uniform() < 0.5 ? "visible_normals" : "half_vector"};
+  if (kind < 0.5) return {mirror, strategy_of_facets(random, mirror.distribution.type == "ggx")};
+  if (kind < 0.6) {
+    const bool ggx = random.uniform() < 0.5;
+    return {random_mixture(random, ggx), strategy_of_facets(random, ggx)};
   }
-  TermDescription lambert;
-  lambert.name = lambert.type = "lambert";
-  lambert.values.set("albedo", Rgb{0.5, 0.2, 0.1});
-  if (kind < 0.8) return {lambert, "cosine"};
+  if (kind < 0.65) return {lambert(), "cosine"};
+  if (kind < 0.75) return {random_eon(random), random.uniform() < 0.8 ? "eon" : "cosine"};
+  if (kind < 0.85) return {random_kelemen(random), random.uniform() < 0.8 ? "kelemen" : "default"};
   if (mirror.distribution.values.has("mean_slope")) return {mirror, "default"};
   mirror.fresnel = {"dielectric", {}};
   mirror.fresnel.values.set("eta", 1.5);
-  return {MaterialDescription("coated", {mirror, lambert}, true), "default"};
+  return {MaterialDescription("coated", {mirror, lambert()}, true), "default"};
 }
 
 Direction random_viewer(Random& random, const Material& material) {
@@ -107,7 +147,9 @@ TEST_CASE("random materials, viewers and strategies: samples follow the density,
     test.seed = static_cast<std::uint64_t>(k);
     const SamplingFindings found = check_sampling(material, Sampler(material, strategy), o, test);
     CAPTURE(k);
+    CAPTURE(description.terms[0].type);
     CAPTURE(description.terms[0].distribution.type);
+    CAPTURE(description.terms.size());
     CAPTURE(strategy);
     CAPTURE(std::acos(o.z) / degree);
     for (const std::string& fault : found.faults(test)) FAIL_CHECK(fault);

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 # A file may include from its own layer and from those before it. What draws knows no BRDF: only base.
-LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "sampling", "analysis", "stream", "simulation", "choice", "draw",
+LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "sampling", "analysis", "bake", "stream", "simulation", "choice", "draw",
           "figure", "config", "cli"]
 # The number type of exact values, which only the sources of problems include.
 HEAVY_HEADERS = {"src/choice/methods/exact.hpp"}

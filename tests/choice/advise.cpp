@@ -134,7 +134,7 @@ double independent_error(const AdviceScene& scene, const MaterialAdvice& advice,
 
 TEST_CASE("the ladder has every combination, and each model once") {
   const AdviceScene scene = scene_of(mirror(0.3, conductor({0.1, 0.4, 1.4}, {4, 2.4, 1.6})), 1);
-  const Ladder ladder = ladder_of(scene.materials[0], scene.lights);
+  const Ladder ladder = ladder_of(scene.materials[0], scene.lights, scene.target);
   // V: given, separable, Hammon, constant; F: conductor, F82, Schlick, constant.
   CHECK(ladder.options.size() == 2);
   CHECK(ladder.rungs.size() == 16);

@@ -138,6 +138,33 @@ TEST_CASE("pareto: errors of Schlick's reflectance") {
   CHECK(agrees(degrees(chromium.above.input.at(0)), 83.3, 0.1));
 }
 
+TEST_CASE("pareto: rationals of Fresnel's reflectance, and Schlick's with a fitted exponent") {
+  const auto relative = [](const Problem& p, const std::string& name) { return errors_of(p, name).relative.error; };
+  // Computed by a program of its own at 20001 cosines from the coefficients with nine digits.
+  const Problem glass = fresnel_dielectric(), chromium = fresnel_conductor();
+  CHECK(agrees(relative(glass, "rational_2"), 3.78e-3, 1e-5));
+  CHECK(agrees(relative(glass, "rational_3"), 4.25e-5, 1e-7));
+  CHECK(relative(glass, "rational_4") < 1.2e-7);
+  CHECK(agrees(relative(chromium, "rational_2"), 6.82e-3, 1e-5));
+  CHECK(agrees(relative(chromium, "rational_3"), 2.85e-6, 1e-8));
+  CHECK(relative(chromium, "rational_4") < 5e-9);
+  CHECK(agrees(errors_of(chromium, "generalized_schlick").absolute().error, 0.0693, 1e-4));
+}
+
+TEST_CASE("pareto: Lazarov's albedo") {
+  // Gloss 1/2 is Blinn's exponent sqrt(8192), so alpha^2 = 2 / (sqrt(8192) + 2); by hand from the code of the notes.
+  const double alpha = std::sqrt(2 / (std::sqrt(8192.0) + 2)), cosine = 1;
+  const auto value = [&](const Problem& p) {
+    const auto method = std::ranges::find(p.methods, "lazarov_2013", &Method::name);
+    const std::array<const double*, 2> in = {&alpha, &cosine};
+    double out = 0;
+    std::get<Run<double>>(method->run)(1, in.data(), &out);
+    return out;
+  };
+  CHECK(value(albedo_ggx()) == doctest::Approx(0.875));
+  CHECK(value(albedo_ggx_b()) == doctest::Approx(0.5 * std::exp2(-9.28) / 0.96 - 0.00625 / 0.96));
+}
+
 TEST_CASE("pareto: errors of fits of the albedo") {
   const auto largest = [](const Problem& p, const std::string& name) { return errors_of(p, name).absolute().error; };
   // A and B of MaterialX as in its notes. Those of the other three are 0.065, 0.062 and 0.051 on a grid of alpha =

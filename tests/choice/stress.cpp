@@ -2,6 +2,7 @@
 #include "../sample.hpp"
 #include "choice/methods/problems.hpp"
 #include "choice/stress/climb.hpp"
+#include "choice/stress/exhaustive.hpp"
 #include "choice/stress/findings_text.hpp"
 #include "choice/stress/ordinals.hpp"
 #include "choice/stress/sweep.hpp"
@@ -209,6 +210,29 @@ TEST_CASE("stress: floats are judged at the floats that they are given") {
   CHECK(subject.error(subject.trial(row)) < 1e-6);
   CHECK(subject.rounded({1e-9, 2})[0] >= problem.inputs[0].low);
   CHECK(subject.rounded({1e-9, 2})[1] == 1);
+}
+
+TEST_CASE("stress: every float of a range is looked at") {
+  Problem problem = angle_from_cosine();
+  problem.inputs[0].low = 0.001;
+  problem.inputs[0].high = 0.00101;
+  const auto all = exhaust(problem, "", 1, [](double) {});
+  REQUIRE(all.size() == 2); // acos_float, atan2_float
+  CHECK(all[0].method == "acos_float");
+  CHECK(all[0].against == "atan2");
+  double worst = 0;
+  std::uint64_t count = 0;
+  for (float x = std::nextafter(0.001F, 1.0F); static_cast<double>(x) <= 0.00101;
+       x = std::nextafter(x, 1.0F), ++count) {
+    const double exact = std::asin(static_cast<double>(x));
+    worst = std::max(worst, std::fabs(static_cast<double>(std::acos(std::sqrt((1 - x) * (1 + x)))) - exact) / exact);
+  }
+  // Whether 0.001F itself is inside depends on its rounding.
+  CHECK(all[0].inputs - count <= 1);
+  CHECK(all[0].error == doctest::Approx(worst).epsilon(1e-6));
+  CHECK(all[1].error < 2.5e-7);
+  CHECK(exhaust(d_ggx(), "", 1, [](double) {}).empty()); // two inputs
+  CHECK(exhausted_markdown(all).find("| angle_from_cosine/acos_float | ") != std::string::npos);
 }
 
 TEST_CASE("stress: findings as text") {

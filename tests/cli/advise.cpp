@@ -48,6 +48,22 @@ TEST_CASE("advise --json has the answer, and a smaller tolerance is not cheaper"
   }
 }
 
+TEST_CASE("targets: single precision is an answer of a processor that begins in double") {
+  const Folder folder;
+  for (const char* target : {"double", "double_simd", "float_simd"}) {
+    folder.write("s.json", scene("5", R"(, "target": ")" + std::string(target) + "\""));
+    const auto json = nlohmann::json::parse(check_output(folder, "brdfplot advise s.json --json"));
+    CHECK(json.at("target") == target);
+    const auto& answer = json.at("materials").at(0).at("answer");
+    const bool begins_double = std::string(target).starts_with("double");
+    CHECK((answer.at("model").dump().find("numbers: single precision (was double)") != std::string::npos) ==
+          begins_double);
+  }
+  const std::string out = check_output(folder, "brdfplot advise s.json");
+  for (const char* word : {"estimated multiply-adds of a lane in double", "at worst"})
+    CHECK_MESSAGE(out.find(word) != std::string::npos, word);
+}
+
 TEST_CASE("a budget that cannot be met ends with 1 and the nearest that can be") {
   const Folder folder;
   folder.write("s.json", scene("1", R"(, "budget": 30)"));
@@ -72,8 +88,11 @@ TEST_CASE("scenes that advise does not take") {
   check_error(folder, "brdfplot advise configs/scenes/gaussian.json", 2, {"found a scene (brdfplot simulate)"});
   check_error(folder, "brdfplot simulate configs/scenes/car_paint.json", 2, {"(brdfplot advise)"});
   check_error(folder, "brdfplot advise", 2, {"SCENE.json"});
-  folder.write("s.json", scene("2", R"(, "target": "shader")"));
-  check_error(folder, "brdfplot advise s.json", 2, {"s.json: /target", "unknown key \"target\""});
+  folder.write("s.json", scene("2", R"(, "goal": "shader")"));
+  check_error(folder, "brdfplot advise s.json", 2, {"s.json: /goal", "unknown key \"goal\""});
+  folder.write("s.json", scene("2", R"(, "target": "gpu")"));
+  check_error(folder, "brdfplot advise s.json", 2,
+              {"s.json: /target", "found \"gpu\"", "shader", "double", "double_simd", "float", "float_simd"});
   folder.write("s.json", scene("0"));
   check_error(folder, "brdfplot advise s.json", 2, {"s.json: /tolerance/delta_e", "found 0"});
 }

@@ -68,6 +68,7 @@ COMMANDS = {
     "threads": ["report", "report.json", "-o", "out", "--cache", "cache", "--threads", "2"],
     "measured": ["eval", "measured.json", "-q", "brdf", "-i", "points.csv", "-o", "out/values.csv", "--threads", "1"],
     "convert": ["convert", "material.json", "-o", "out/table.binary", "--threads", "1"],
+    "bake": ["bake", "material.json", "--over", "cos_theta_o=0:1:5", "-o", "out/table.npy", "--threads", "1"],
     "advise": ["advise", "advice.json", "-o", "out", "--threads", "1"],
     "stream": ["eval", "material.json", "-q", "g1,albedo", "-i", "points.csv", "-o", "out/values.csv", "--threads", "2"],
 }

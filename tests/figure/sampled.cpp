@@ -1,6 +1,7 @@
 #include "materials.hpp"
 
 #include "base/errors.hpp"
+#include "choice/advise/sampling_cost.hpp"
 #include "figure/series/term.hpp"
 
 #include <doctest/doctest.h>
@@ -38,6 +39,9 @@ TEST_CASE("what is said of samples is a quantity of figures, at a strategy") {
     CHECK(value("pdf", {viewer, light, by}) == density);
     CHECK(value("weight_variance", {viewer, by}) == weight_variance(m, sampler, o, 1e-6));
     CHECK(value("largest_weight", {viewer, by}) == largest_weight(m, sampler, o));
+    const double cost = choice::cost(choice::sampling_operations(describe("ggx", 0.5), strategy));
+    CHECK(value("sampling_cost", {viewer, by}) == cost);
+    CHECK(value("variance_times_cost", {viewer, by}) == cost * weight_variance(m, sampler, o, 1e-6));
   }
   // Both draw by one density.
   CHECK(value("weight_variance", {viewer, {"strategy", "heitz_2018"}}) == value("weight_variance", {viewer}));
@@ -52,4 +56,10 @@ TEST_CASE("a strategy that is none, or that a term has not, is an error; so is a
   CHECK(error_of("pdf", {viewer}).find("needs theta_i") != std::string::npos);
   CHECK(error_of("largest_weight", {}).find("needs theta_o") != std::string::npos);
   CHECK(error_of("m.pdf", {viewer}).find("accepted: \"pdf\"") != std::string::npos);
+}
+
+TEST_CASE("what no one counted is an error that says what is counted") {
+  const TermDescription sheen = describe("sheen", 0.5);
+  CHECK_THROWS_WITH_AS((void)TermFunction({"variance_times_cost", sheen, {{"theta_o", 0.7}}}, {}, 1e-6)({}),
+                       doctest::Contains("one mirror of ggx or beckmann"), InputError);
 }

@@ -30,8 +30,12 @@ void evaluate_whole(const Mirror& mirror, const WholeKernel& kernel, bool times_
   Buffer weighted;
   if (times_cosine) {
     Buffer c, s;
-    kernels::project(stretch, vectors(block.i), c.data(), s.data(), n);
-    for (std::size_t k = 0; k < n; ++k) weighted[k] = block.white[k] * std::max(0.0, c[k]);
+    const double* cosine = block.i.z; // where the slopes are centred
+    if (stretch.mean_x != 0 || stretch.mean_y != 0) {
+      kernels::project(stretch, vectors(block.i), c.data(), s.data(), n);
+      cosine = c.data();
+    }
+    for (std::size_t k = 0; k < n; ++k) weighted[k] = block.white[k] * std::max(0.0, cosine[k]);
   }
   const Buffer& value = times_cosine ? weighted : block.white;
   if (std::holds_alternative<NoFresnel>(mirror.fresnel))

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "choice/advise/reference.hpp"
 #include "choice/advise/refit.hpp"
 
 #include <algorithm>
@@ -15,42 +16,11 @@ namespace brdfplot::choice {
 
 double decisive(const Model& model) { return (model.dense ? *model.dense : model.errors).decisive(); }
 
-namespace {
-
-/// The roughest and the smoothest lobe of a material.
-Fineness fineness_of(const MaterialDescription& material, double scale) {
-  Fineness out{scale, 1, 0};
-  for (const WeightedTerm& term : build(material).terms) {
-    if (term.facets() == nullptr) continue;
-    const SlopeMap map = std::visit([](const auto& d) { return d.slopes; }, *term.facets());
-    out.least_alpha = std::min({out.least_alpha, map.alpha_x, map.alpha_y});
-    out.largest_alpha = std::max({out.largest_alpha, std::min(1.0, map.alpha_x), std::min(1.0, map.alpha_y)});
-  }
-  out.largest_alpha = std::max(out.largest_alpha, out.least_alpha);
-  return out;
+Drawing drawing_of(const MaterialAdvice& advice, const Model& model) {
+  return {advice.ladder.lights[model.light], advice.ladder.rungs[model.rung].drafts[0].precision};
 }
 
-/// A variant with the picture that it has in full.
-struct Reference {
-  MaterialDescription material;
-  std::unique_ptr<Renderer> renderer;
-  Picture picture;
-  std::size_t rings = 0;
-
-  /// With so many rings for each disc, or, for 0, as many as it needs.
-  Reference(const MaterialDescription& of, const AdviceScene& scene, double scale, std::size_t with_rings, int threads)
-      : material(of), renderer(std::make_unique<Renderer>(
-                          scene.lights, places_on_sphere(scene.view, scene.lights, fineness_of(of, scale)), threads)) {
-    rings = with_rings > 0 ? with_rings : rings_for(*renderer, material, scene);
-    picture = renderer->picture(material, {LightModel::Kind::points, rings}, false, threads);
-  }
-
-  PictureErrors errors(const MaterialDescription& other, const LightModel& light, const AdviceScene& scene,
-                       bool remember) const {
-    return compare(picture, renderer->picture(other, light, remember), renderer->places(), scene.tolerance.metric,
-                   scene.exposure);
-  }
-};
+namespace {
 
 /// Roughness may stand for the size of a light.
 Draft with_free_roughness(Draft draft) {
@@ -74,7 +44,7 @@ public:
   Search(const AdviceScene& scene, const AdvisedMaterial& material, const AdviceOptions& options)
       : scene_(scene), options_(options) {
     advice_.name = material.material.name;
-    advice_.ladder = ladder_of(material, scene.lights);
+    advice_.ladder = ladder_of(material, scene.lights, scene.target);
     for (const MaterialDescription& variant : advice_.ladder.variants) {
       references_.emplace_back(variant, scene, 1.0, 0, options.threads);
       coarse_.emplace_back(variant, scene, 0.4, references_.back().rings, options.threads);
@@ -105,8 +75,9 @@ private:
     const Ladder& ladder = advice_.ladder;
     for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
       for (std::size_t light = 0; light < ladder.lights.size(); ++light)
-        planned_.push_back(
-            {rung, light, shader_cost(ladder.rungs[rung].drafts[0].material, scene_.lights, ladder.lights[light])});
+        planned_.push_back({rung, light,
+                            shader_cost(ladder.rungs[rung].drafts[0].material, scene_.lights, ladder.lights[light],
+                                        {scene_.target, ladder.rungs[rung].drafts[0].precision})});
     std::ranges::stable_sort(planned_, {}, &Planned::cost);
     advice_.ladder_size = planned_.size();
   }
@@ -129,10 +100,11 @@ private:
     return error(after) < error(start.material) ? after : start.material;
   }
 
-  /// Of each variant. What is fitted is fitted once for all models that sample discs, and once for each other.
+  /// Of each variant. What is fitted is fitted once for all models that sample discs, and once for each other; in
+  /// double, since differences are taken.
   std::vector<MaterialDescription> materials_of(const Planned& planned) {
     const LightModel& how = advice_.ladder.lights[planned.light];
-    const std::pair key{planned.rung, static_cast<int>(how.kind)};
+    const std::pair key{identity_of(advice_.ladder.rungs[planned.rung].drafts[0].material), static_cast<int>(how.kind)};
     {
       const std::lock_guard lock(mutex_);
       if (const auto found = fits_.find(key); found != fits_.end()) return found->second;
@@ -146,13 +118,11 @@ private:
 
   Model evaluated(const Planned& planned) {
     Model model{planned.rung, planned.light, planned.cost, materials_of(planned), {}};
-    for (std::size_t v = 0; v < references_.size(); ++v) {
-      const PictureErrors errors =
-          references_[v].errors(model.materials[v], advice_.ladder.lights[planned.light], scene_, true);
-      if (v == 0 || errors.decisive() > model.errors.decisive()) model.errors = errors;
-    }
+    model.errors = largest_errors(references_, model.materials, how(model), scene_, true);
     return model;
   }
+
+  Drawing how(const Model& model) const { return drawing_of(advice_, model); }
 
   void evaluate(const std::vector<Planned>& some) {
     std::vector<Model> found(some.size());
@@ -214,11 +184,7 @@ private:
         dense_.emplace_back(one.material, scene_, 3.2, one.rings, options_.threads);
       advice_.dense_places = dense_[0].renderer->places().at.size();
     }
-    for (std::size_t v = 0; v < dense_.size(); ++v) {
-      const PictureErrors errors =
-          dense_[v].errors(model.materials[v], advice_.ladder.lights[model.light], scene_, false);
-      if (!model.dense || errors.decisive() > model.dense->decisive()) model.dense = errors;
-    }
+    model.dense = largest_errors(dense_, model.materials, how(model), scene_);
   }
 
   /// The next cheaper one, the nearest of those that are cheaper, and the nearest within the budget.
@@ -271,7 +237,7 @@ private:
   std::size_t walked_ = 0;       ///< so many of them were evaluated on the way to the answer
   std::optional<Planned> answer_;
   std::mutex mutex_, progress_;
-  std::map<std::pair<std::size_t, int>, std::vector<MaterialDescription>> fits_;
+  std::map<std::pair<std::string, int>, std::vector<MaterialDescription>> fits_;
 };
 
 } // namespace

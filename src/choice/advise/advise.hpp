@@ -2,7 +2,9 @@
 /// The cheapest model of a material that a scene does not tell from the one in full.
 #pragma once
 
+#include "choice/advise/examination.hpp"
 #include "choice/advise/ladder.hpp"
+#include "choice/advise/reference.hpp"
 
 #include <functional>
 #include <optional>
@@ -40,6 +42,7 @@ struct MaterialAdvice {
   std::size_t places = 0, dense_places = 0;
   std::size_t rings = 0; ///< of directions of each disc, in what models are held against
   ReachedAngles reached;
+  std::optional<Examination> examined{}; ///< of the answer, where it was asked for (examine.hpp)
 
   bool within_budget(const AdviceScene& scene) const {
     return answer && (!scene.budget || models[*answer].cost <= *scene.budget);
@@ -73,5 +76,8 @@ std::vector<std::string> simplifications(const MaterialAdvice& advice, const Mod
 
 /// The error that is held against the tolerance: at most places where it is known.
 double decisive(const Model& model);
+
+/// How the pictures of a model are made.
+Drawing drawing_of(const MaterialAdvice& advice, const Model& model);
 
 } // namespace brdfplot::choice

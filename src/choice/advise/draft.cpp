@@ -133,4 +133,8 @@ std::string identity_of(const MaterialDescription& material) {
   return out;
 }
 
+std::string identity_of(const Draft& draft) {
+  return identity_of(draft.material) + (draft.precision == Precision::single ? "single" : "full");
+}
+
 } // namespace brdfplot::choice

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "brdf/material.hpp"
+#include "choice/advise/target.hpp"
 
 #include <functional>
 #include <string>
@@ -21,6 +22,7 @@ struct FreeParameter {
 struct Draft {
   MaterialDescription material;
   std::vector<FreeParameter> free{};
+  Precision precision = Precision::full; ///< that it is computed in
 
   TermDescription* find(const std::string& term);
   /// Adds it unless it is there.
@@ -48,5 +50,6 @@ MaterialDescription canonical(MaterialDescription material);
 /// A text that is the same for equal descriptions alone.
 std::string identity_of(const TermDescription& term);
 std::string identity_of(const MaterialDescription& material);
+std::string identity_of(const Draft& draft);
 
 } // namespace brdfplot::choice

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "choice/advise/options/options.hpp"
+#include "choice/advise/single.hpp"
 
 #include <algorithm>
 #include <set>
@@ -59,10 +60,10 @@ void keep_tabulated_roughness(Draft& draft) {
                 [&](const FreeParameter& one) { return one.key == "alpha" && tabulated.contains(one.term); });
 }
 
-std::vector<Draft> drafts_of(const Ladder& ladder, const std::vector<std::size_t>& levels) {
+std::vector<Draft> drafts_of(const Ladder& ladder, const std::vector<std::size_t>& levels, Precision precision) {
   std::vector<Draft> out;
   for (const MaterialDescription& variant : ladder.variants) {
-    Draft draft{variant};
+    Draft draft{variant, {}, precision};
     if (!simplify(draft, ladder.options, levels) || !can_be_built(draft.material)) return {};
     keep_tabulated_roughness(draft);
     out.push_back(std::move(draft));
@@ -74,6 +75,14 @@ void require_few(std::size_t found, std::size_t most, const std::string& of, con
   if (found > most)
     throw InputError(material.place, "its simplifications make " + std::to_string(found) + " " + of +
                                          "; accepted: at most " + std::to_string(most));
+}
+
+void require_single_forms(const MaterialDescription& full, const AdvisedMaterial& material) {
+  for (const TermDescription& term : full.terms)
+    if (!has_single_form(term))
+      throw InputError(material.place,
+                       "the term \"" + term.name +
+                           "\" has no form in single precision; accepted: the target shader, double or double_simd");
 }
 
 void add_light_models(Ladder& ladder, const std::vector<AdviceLight>& lights) {
@@ -91,10 +100,11 @@ void add_light_models(Ladder& ladder, const std::vector<AdviceLight>& lights) {
 
 } // namespace
 
-Ladder ladder_of(const AdvisedMaterial& material, const std::vector<AdviceLight>& lights) {
+Ladder ladder_of(const AdvisedMaterial& material, const std::vector<AdviceLight>& lights, Target target) {
   Ladder ladder;
   for (const MaterialDescription& variant : variants_of(material)) ladder.variants.push_back(canonical(variant));
-  ladder.options = options_of(ladder.variants[0]);
+  ladder.options = options_of(ladder.variants[0], target);
+  if (precision_of(target) == Precision::single) require_single_forms(ladder.variants[0], material);
   add_light_models(ladder, lights);
   std::size_t combinations = 1;
   for (const Option& option : ladder.options) {
@@ -104,8 +114,8 @@ Ladder ladder_of(const AdvisedMaterial& material, const std::vector<AdviceLight>
   std::set<std::string> known;
   std::vector<std::size_t> levels(ladder.options.size());
   do {
-    std::vector<Draft> drafts = drafts_of(ladder, levels);
-    if (drafts.empty() || !known.insert(identity_of(drafts[0].material)).second) continue;
+    std::vector<Draft> drafts = drafts_of(ladder, levels, precision_of(target));
+    if (drafts.empty() || !known.insert(identity_of(drafts[0])).second) continue;
     ladder.rungs.push_back({levels, std::move(drafts)});
   } while (advance(levels, ladder.options));
   require_few(ladder.rungs.size() * ladder.lights.size(), most_models, "models", material);

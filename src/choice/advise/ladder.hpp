@@ -27,7 +27,8 @@ struct Ladder {
 /// So many combinations of options are tried, and so many models are evaluated, at most.
 inline constexpr std::size_t most_combinations = 100000, most_models = 8000;
 
-/// \throws InputError at the place of the material where there are more; MaterialError where a range cannot be set
-Ladder ladder_of(const AdvisedMaterial& material, const std::vector<AdviceLight>& lights);
+/// \throws InputError at the place of the material where there are more, or where the target is of single precision
+/// and has no form of a term; MaterialError where a range cannot be set
+Ladder ladder_of(const AdvisedMaterial& material, const std::vector<AdviceLight>& lights, Target target);
 
 } // namespace brdfplot::choice

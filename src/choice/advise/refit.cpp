@@ -1,5 +1,7 @@
 #include "choice/advise/refit.hpp"
 
+#include "choice/advise/shader_mirror.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -34,7 +36,9 @@ void set_value(TermDescription& term, const std::string& key, const Value& value
   if (key == "weight") {
     term.weight = value;
   } else if (key == "f0" && !term.values.has(key)) {
+    const bool constant = forms::is_constant(term.fresnel);
     term.fresnel.values.set(key, value);
+    if (constant) term.fresnel.values.set("f90", value);
     if (term.fresnel.type == "f82") lift_f82(term.fresnel);
   } else {
     term.values.set(key, value);

@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "brdf/evaluate.hpp"
 #include "choice/advise/draft.hpp"
+#include "choice/advise/single.hpp"
 #include "sampling/sphere/cap_points.hpp"
 
 #include <algorithm>
@@ -41,10 +42,13 @@ double alpha_of(const Material& material, const std::string& term) {
 /// Adds rho c_i of one term under directions of light.
 class TermLight {
 public:
-  TermLight(const Material& material, const std::string& term, std::span<const sphere::Place> places)
-      : material_(material), term_(term), frames_(places),
-        channels_(static_cast<std::size_t>(channels_of(material, Quantity::brdf_cos, term))),
-        rho_(channels_ * frames_.size()), out_(3 * frames_.size()) {}
+  TermLight(const Material& material, const TermDescription& term, Precision precision,
+            std::span<const sphere::Place> places)
+      : material_(material), term_(term.name), frames_(places),
+        channels_(static_cast<std::size_t>(channels_of(material, Quantity::brdf_cos, term.name))),
+        rho_(channels_ * frames_.size()), out_(3 * frames_.size()) {
+    if (precision == Precision::single) single_.emplace(term);
+  }
 
   void add(const Direction& light, double weight, const Rgb& irradiance) {
     frames_.set_light(light);
@@ -61,10 +65,22 @@ private:
     const std::size_t n = frames_.size();
     const Wanted wanted{Quantity::brdf_cos, rho_.data(), term_};
     evaluate(material_, std::span(&wanted, 1), {n, frames_.omega_o(), frames_.omega_i(), {}});
+    if (single_) round_to_single();
     for (std::size_t c = 0; c < 3; ++c) {
       const double* from = rho_.data() + (channels_ > 1 ? c : 0) * n;
       const double factor = weight * irradiance[c];
       for (std::size_t k = 0; k < n; ++k) out_[c * n + k] += factor * from[k];
+    }
+  }
+
+  void round_to_single() {
+    const std::size_t n = frames_.size();
+    const Columns light = frames_.omega_i();
+    for (std::size_t k = 0; k < n; ++k) {
+      std::array<double, 3> values{};
+      for (std::size_t c = 0; c < channels_; ++c) values[c] = rho_[c * n + k];
+      single_->round(frames_.omega_o(k), light[k], values);
+      for (std::size_t c = 0; c < channels_; ++c) rho_[c * n + k] = values[c];
     }
   }
 
@@ -74,6 +90,7 @@ private:
   std::size_t channels_;
   std::vector<double> rho_;
   Picture out_;
+  std::optional<SingleForm> single_;
 };
 
 /// In each place the direction within the disc that is nearest to the mirrored viewer.
@@ -102,8 +119,8 @@ void add_disc_by_points(TermLight& lit, const AdviceLight& light, std::size_t ri
 
 /// Of some places.
 Picture part_of_picture(const Material& built, const TermDescription& term, const std::vector<AdviceLight>& lights,
-                        const LightModel& model, std::span<const sphere::Place> places) {
-  TermLight lit(built, term.name, places);
+                        const LightModel& model, Precision precision, std::span<const sphere::Place> places) {
+  TermLight lit(built, term, precision, places);
   for (const AdviceLight& light : lights) {
     const bool disc = light.radius > 0 && model.kind != LightModel::Kind::punctual;
     if (disc && model.kind == LightModel::Kind::points) {
@@ -122,7 +139,7 @@ Picture part_of_picture(const Material& built, const TermDescription& term, cons
 } // namespace
 
 Picture Renderer::term_picture(const MaterialDescription& material, const TermDescription& term,
-                               const LightModel& model, int threads) const {
+                               const LightModel& model, int threads, Precision precision) const {
   const Material built = build(alone(material, term));
   const std::size_t n = places_.at.size();
   constexpr std::size_t block = 512;
@@ -130,7 +147,7 @@ Picture Renderer::term_picture(const MaterialDescription& material, const TermDe
   parallel_for((n + block - 1) / block, threads, [&](std::size_t k) {
     const std::size_t first = k * block, count = std::min(block, n - first);
     const auto some = std::span(places_.at).subspan(first, count);
-    const Picture part = part_of_picture(built, term, lights_, model, some);
+    const Picture part = part_of_picture(built, term, lights_, model, precision, some);
     for (std::size_t c = 0; c < 3; ++c)
       std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(c * count), count,
                   out.begin() + static_cast<std::ptrdiff_t>(c * n + first));
@@ -138,9 +155,11 @@ Picture Renderer::term_picture(const MaterialDescription& material, const TermDe
   return out;
 }
 
-Picture Renderer::picture(const MaterialDescription& material, const LightModel& model, bool remember, int threads) {
+Picture Renderer::picture(const MaterialDescription& material, const LightModel& model, bool remember, int threads,
+                          Precision precision) {
   Picture sum(3 * places_.at.size());
-  const std::string by = std::to_string(static_cast<int>(model.kind)) + ':' + std::to_string(model.rings) + ':';
+  const std::string by = std::string(precision == Precision::single ? "single:" : "") +
+                         std::to_string(static_cast<int>(model.kind)) + ':' + std::to_string(model.rings) + ':';
   for (const TermDescription& term : material.terms) {
     const std::string key = by + identity_of(alone(material, term)) + term.name;
     std::optional<Picture> one;
@@ -148,7 +167,7 @@ Picture Renderer::picture(const MaterialDescription& material, const LightModel&
       const std::lock_guard lock(mutex_);
       if (const auto found = known_.find(key); found != known_.end()) one = found->second;
     }
-    if (!one) one = term_picture(material, term, model, threads);
+    if (!one) one = term_picture(material, term, model, threads, precision);
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += (*one)[k];
     if (!remember) continue;
     const std::lock_guard lock(mutex_);

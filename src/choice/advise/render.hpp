@@ -27,14 +27,15 @@ public:
   ///   nearest   mirror facets by the direction in the disc that is nearest to the mirrored viewer, times (alpha /
   ///             alpha')^2, alpha' = alpha + sin(radius) / 2 (Karis 2013); other terms by the middle of the disc
   ///   punctual  each disc as its middle
-  /// \throws MaterialError, AccuracyError
-  Picture picture(const MaterialDescription& material, const LightModel& model, bool remember = true, int threads = 1);
+  /// In single precision each term is what SingleForm makes of it. \throws MaterialError, AccuracyError
+  Picture picture(const MaterialDescription& material, const LightModel& model, bool remember = true, int threads = 1,
+                  Precision precision = Precision::full);
 
   int threads() const { return threads_; }
 
 private:
   Picture term_picture(const MaterialDescription& material, const TermDescription& term, const LightModel& model,
-                       int threads) const;
+                       int threads, Precision precision) const;
 
   std::vector<AdviceLight> lights_;
   Places places_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "brdf/material.hpp"
+#include "choice/advise/target.hpp"
 
 #include <optional>
 #include <string>
@@ -49,7 +50,8 @@ struct AdviceScene {
   ViewRange view;
   double exposure = 1; ///< radiance times it is shown, 1 as white of 203 cd/m^2
   Tolerance tolerance;
-  std::optional<double> budget; ///< operations for each shaded point
+  Target target = Target::shader;
+  std::optional<double> budget; ///< of cost_unit(), for each shaded point
 };
 
 /// The material as it is given, then with each other value of each range in turn. \throws MaterialError

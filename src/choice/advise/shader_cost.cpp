@@ -132,26 +132,27 @@ ShaderOperations shader_operations(const MaterialDescription& material) {
 namespace {
 
 /// Beside the shading of a nearest point: where it is, and the flat terms at the middle.
-double nearest_cost() {
+Operations nearest_operations() {
   Counted::reset();
   const Counted3 r = forms::viewer(), middle = forms::light();
   (void)forms::nearest_in_disc(r, middle, Counted(0.1));
   (void)(Counted(0.5) * Counted(0.5)); // of the widened lobe
-  return cost(Counted::operations());
+  return Counted::operations();
 }
 
 } // namespace
 
-double shader_cost(const MaterialDescription& material, const std::vector<AdviceLight>& lights,
-                   const LightModel& model) {
+double shader_cost(const MaterialDescription& material, const std::vector<AdviceLight>& lights, const LightModel& model,
+                   const Machine& machine) {
   const ShaderOperations operations = shader_operations(material);
-  double total = cost(operations.view);
+  const auto of = [&](const Operations& some) { return cost(some, machine.target, machine.precision); };
+  double total = of(operations.view);
   for (const AdviceLight& light : lights) {
     const bool disc = light.radius > 0 && model.kind != LightModel::Kind::punctual;
     const bool points = disc && model.kind == LightModel::Kind::points;
     const auto count = static_cast<double>(points ? 4 * model.rings * model.rings : 1);
-    total += count * cost(operations.light);
-    if (disc && !points) total += nearest_cost();
+    total += count * of(operations.light);
+    if (disc && !points) total += of(nearest_operations());
   }
   return total;
 }

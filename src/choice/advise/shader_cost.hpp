@@ -3,6 +3,7 @@
 #pragma once
 
 #include "choice/advise/scene.hpp"
+#include "choice/advise/target.hpp"
 #include "choice/methods/operations.hpp"
 
 namespace brdfplot::choice {
@@ -25,9 +26,15 @@ struct ShaderOperations {
 /// \throws InputError for a term that no shader computes in closed form or by a table (facet_diffuse)
 ShaderOperations shader_operations(const MaterialDescription& material);
 
-/// cost() of a shaded point under all lights (operations.hpp): view + light for each direction. A nearest point adds
+/// Where a material runs.
+struct Machine {
+  Target target = Target::shader;
+  Precision precision = Precision::full;
+};
+
+/// cost() of a shaded point under all lights (target.hpp): view + light for each direction. A nearest point adds
 /// its direction, and a second set of directions for diffuse terms, which keep the middle.
-double shader_cost(const MaterialDescription& material, const std::vector<AdviceLight>& lights,
-                   const LightModel& model);
+double shader_cost(const MaterialDescription& material, const std::vector<AdviceLight>& lights, const LightModel& model,
+                   const Machine& machine = {});
 
 } // namespace brdfplot::choice

@@ -18,7 +18,9 @@ inline void read_table(std::size_t count) { Counted::operations().table_reads +=
 
 /// 3 where a Fresnel term is coloured, else 1.
 int channels_of(const ModelChoice& fresnel);
-/// F of each channel that it has.
+/// Schlick's term with f90 = f0.
+bool is_constant(const ModelChoice& fresnel);
+/// F of each channel that it has; nothing of a constant.
 void fresnel(const ModelChoice& of);
 
 /// Of `mirror` and `kelemen`: what depends on the viewer alone, and rho / c_i of each channel.

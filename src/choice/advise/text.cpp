@@ -52,6 +52,7 @@ public:
     further();
     untold();
     proof();
+    examined();
     return out_;
   }
 
@@ -84,8 +85,8 @@ private:
     }
     const Model& best = model(*advice_.answer);
     line("answer", "cost " + whole(best.cost) + " of " + whole(full.cost) + " (" + percent(best.cost / full.cost - 1) +
-                       ", estimated operations for each point)   " + metric_name(scene_.tolerance.metric) + " " +
-                       errors_text(best_known(best)) + "   [tolerance " + short_number(scene_.tolerance.value) +
+                       ", " + cost_unit(scene_.target) + " for each point)   " + metric_name(scene_.tolerance.metric) +
+                       " " + errors_text(best_known(best)) + "   [tolerance " + short_number(scene_.tolerance.value) +
                        ", worst 1 % " + short_number(2 * scene_.tolerance.value) + "]");
     line("", joined_labels(simplifications(advice_, best)));
     if (scene_.budget)
@@ -136,6 +137,41 @@ private:
                           short_number(decisive(model(*advice_.best_cheaper))) + ": " +
                           joined_labels(simplifications(advice_, model(*advice_.best_cheaper))));
     }
+  }
+
+  /// What the search does not see.
+  void examined() {
+    if (!advice_.examined || !advice_.answer) return;
+    const Examination& e = *advice_.examined;
+    if (e.finer)
+      line("", "against " + std::to_string(e.finer->directions) + " directions of each disc at " +
+                   std::to_string(advice_.places) + " places: " + short_number(e.finer->answer) + " and " +
+                   short_number(e.finer->next_cheaper));
+    if (e.single)
+      line("single", "in single precision, which is what a shader has, the answer is off by " +
+                         short_number(e.single->decisive()) + " at " + std::to_string(advice_.places) +
+                         " places (in double " + short_number(model(*advice_.answer).errors.decisive()) + ")");
+    breaks(e);
+    if (e.walk)
+      line("walk", "the material in full has " + with_error(e.walk->light) +
+                       " of light against all bounces of a walk on its surface, at one place " +
+                       with_error(e.walk->largest) + " (" + where(e.walk->where) + "; " +
+                       std::to_string(e.walk->places) + " places, ± standard error)");
+  }
+
+  void breaks(const Examination& e) {
+    std::string text;
+    for (const Break& at : e.breaks) {
+      const bool same = at.alpha_factor == 1; // NOLINT(clang-diagnostic-float-equal)
+      text += (same ? "" : "; with α times " + short_number(at.alpha_factor) + ": ") + short_number(at.difference) +
+              " at θ_o " + degrees(at.theta_o) + ", θ_i " + degrees(at.theta_i) + ", azimuths " + degrees(at.azimuth) +
+              " apart";
+    }
+    line("at worst", "under a light of " + short_number(e.irradiance) + " alone, of any direction: " + text);
+  }
+
+  static std::string with_error(const simulation::Measured& m) {
+    return percent(m.value) + " ± " + formatted("%.1f %%", 100 * m.standard_error);
   }
 
   std::size_t cheaper() const {

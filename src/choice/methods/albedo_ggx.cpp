@@ -91,6 +91,23 @@ struct UnrealAlbedo {
   }
 };
 
+/// Lazarov's for Call of Duty: Black Ops II (2013), made for Blinn's lobe of the exponent 8192^g, of which alpha^2 =
+/// 2 / (exponent + 2), and another G: B = g min(0.475 g, 2^(-9.28 c)) / 0.96 + (0.0175 g - 0.015) / 0.96,
+/// A + B = (g + 3) / 4.
+struct LazarovAlbedo {
+  Scale90 scale;
+
+  template <class T>
+  T operator()(const std::array<T, 2>& in) const {
+    using std::exp2, std::log2, std::max, std::min;
+    const T exponent = max(T(2) / (in[0] * in[0]) - T(2), T(1));
+    const T g = log2(exponent) * T(1.0 / 13), c = in[1];
+    const T b = g * T(1 / 0.96) * min(T(0.475) * g, exp2(T(-9.28) * c)) + (T(0.0175) * g - T(0.015)) * T(1 / 0.96);
+    const T sum = T(0.25) * g + T(0.75);
+    return scale == Scale90::b ? b : scale == Scale90::sum ? sum : sum - b;
+  }
+};
+
 /// Karis's for mobile (2014), after Lazarov 2013; made for another G.
 struct KarisAlbedo {
   Scale90 scale;
@@ -216,6 +233,8 @@ Problem albedo_problem(const std::string& name, const std::string& doc, Scale90 
               Kind::approximation, MaterialXAlbedo{scale}, examples);
   add_formula(p, "unreal", "powers of sqrt(alpha) and cos", "Unreal Engine 5, GGXEnergyLookup", Kind::approximation,
               UnrealAlbedo{scale}, examples);
+  add_formula(p, "lazarov_2013", "made for Blinn's lobe and another G", "Lazarov 2013", Kind::approximation,
+              LazarovAlbedo{scale}, examples);
   add_formula(p, "karis_2014", "for mobile; made for another G", "Karis 2014, after Lazarov 2013", Kind::approximation,
               KarisAlbedo{scale}, examples);
   for (const std::size_t steps : {8U, 16U, 32U}) add_albedo_table(p, scale, steps);

@@ -66,6 +66,35 @@ struct GaussianSchlick {
   }
 };
 
+/// Schlick's with another exponent: F0 + (1 - F0) (1 - c)^p.
+struct GeneralisedSchlick {
+  double f0, exponent;
+
+  template <class T>
+  T operator()(const std::array<T, 1>& x) const {
+    using std::pow;
+    return T(f0) + T(1 - f0) * pow(T(1) - x[0], T(exponent));
+  }
+};
+
+/// Polynomials of equal degree, the constant of the lower one 1. Both by Horner's rule.
+template <std::size_t degree>
+struct RationalFresnel {
+  std::array<double, degree + 1> above;
+  std::array<double, degree> below;
+
+  template <class T>
+  T operator()(const std::array<T, 1>& x) const {
+    const T c = x[0];
+    T n = T(above[degree]), d = T(below[degree - 1]);
+    for (std::size_t k = degree; k-- > 0;) {
+      n = n * c + T(above[k]);
+      d = d * c + (k > 0 ? T(below[k - 1]) : T(1));
+    }
+    return n / d;
+  }
+};
+
 /// B(c) - a c (1 - c)^6, B Schlick's.
 struct F82Formula {
   double f0, a;
@@ -142,6 +171,20 @@ void add_fresnel_tables(Problem& p, const F& reflectance) {
     }
 }
 
+/// Fitted to the least largest relative error at 160 Chebyshev points (Lawson's weights), written with nine digits.
+template <std::size_t degree>
+void add_rational(Problem& p, const RationalFresnel<degree>& fit) {
+  const std::string text = std::to_string(degree);
+  add_formula(p, "rational_" + text, "polynomials of degree " + text + " over each other", "fitted", Kind::fit, fit,
+              fresnel_examples);
+}
+
+/// With the exponent that has the least mean square error over the hemisphere, weighted by the cosine.
+void add_generalised_schlick(Problem& p, double f0, double exponent) {
+  add_formula(p, "generalized_schlick", "Schlick's with a fitted exponent", "Schlick 1994, Eq. 24; RTR4, Eq. 9.18",
+              Kind::approximation, GeneralisedSchlick{f0, exponent}, fresnel_examples);
+}
+
 Exact exact_dielectric(std::span<const double> x) {
   const Real c = x[0], eta = glass;
   const Real t = sqrt(Real(1 - (1 - c * c) / (eta * eta)));
@@ -205,6 +248,11 @@ Problem fresnel_dielectric() {
                        kernels::reflectance_dielectric(in[0], glass, out, n);
                      });
   add_schlick(p, f0);
+  add_generalised_schlick(p, f0, 4.9145);
+  add_rational<2>(p, {{0.996223561, -1.81069967, 1.28287966}, {3.74569531, 6.92032234}});
+  add_rational<3>(p, {{1.00004237, -1.88162518, 1.38960353, 0.0148042478}, {3.93769003, 4.75494468, 3.37854343}});
+  add_rational<4>(p, {{0.999999894, -1.51848011, 0.923739349, 0.119895764, 0.305014954},
+                      {4.29527614, 6.49619353, 5.42035591, 3.5424186}});
   add_fresnel_tables(p, [](double c) { return dielectric_reflectance(c, glass); });
   return p;
 }
@@ -225,6 +273,11 @@ Problem fresnel_conductor() {
   add_schlick(p, f0);
   add_formula(p, "f82", "Schlick's minus a c (1 - c)^6, exact at c = 1/7", "Hoffman 2019", Kind::approximation,
               F82Formula{f0, F82Fresnel::coefficient(f0, f82)}, fresnel_examples);
+  add_generalised_schlick(p, f0, 31.676);
+  add_rational<2>(p, {{0.993209566, -1.51510263, 52.2443434}, {3.79854437, 73.2092382}});
+  add_rational<3>(p, {{1.00000283, 0.0309483569, 27.5788051, 0.957550959}, {6.57237972, 30.3772448, 6.94730315}});
+  add_rational<4>(
+      p, {{1, -0.0884702772, 27.6053063, -2.44143505, 0.117036447}, {6.45225706, 29.6466618, 3.1486595, -0.475385719}});
   add_fresnel_tables(p, [](double c) { return conductor_reflectance(c, chromium_eta, chromium_k); });
   return p;
 }

@@ -122,6 +122,8 @@ std::vector<std::vector<std::string>> pareto_cells(const ProblemResult& result) 
   const MethodResult& reference = result.methods[result.reference];
   const std::string absolute = result.problem.seen_as.empty() ? "absolute" : result.problem.seen_as;
   std::vector<std::vector<std::string>> cells = {{"method", "cost"}};
+  const bool tables = std::ranges::any_of(result.methods, [](const MethodResult& m) { return m.method.bytes > 0; });
+  if (tables) cells[0].push_back("bytes");
   if (timed) cells[0].insert(cells[0].end(), {"ns", "ratio"});
   cells[0].insert(cells[0].end(), {"relative", "ulp", absolute, "where", "front"});
   if (timed) cells[0].push_back("timed");
@@ -129,6 +131,7 @@ std::vector<std::vector<std::string>> pareto_cells(const ProblemResult& result) 
     const MethodResult& m = result.methods[k];
     auto& row = cells.emplace_back();
     row = {m.method.name, m.cost ? short_text(*m.cost, "%.4g") : "-"};
+    if (tables) row.push_back(m.method.bytes > 0 ? std::to_string(m.method.bytes) : "");
     if (timed)
       row.insert(row.end(),
                  {short_text(m.time->least, "%.3g"), short_text(m.time->least / reference.time->least, "%.2f")});
@@ -159,9 +162,9 @@ std::string front_line(const ProblemResult& result, CostKind cost, ErrorKind err
 }
 
 std::string pareto_legend() {
-  return "cost: estimated, in multiply-adds of floats (a double counts twice). ns: least processor time of a value;\n"
-         "ratio: against the reference. relative, ulp, absolute: the largest errors found; where: of the absolute "
-         "one.\n"
+  return "cost: estimated, in multiply-adds of floats (a double counts twice). bytes: of tables. ns:\n"
+         "least processor time of a value; ratio: against the reference. relative, ulp, absolute: the largest errors\n"
+         "found; where: of the absolute one.\n"
          "front, timed: r, a: nothing is as cheap and as good in the relative or absolute error, by cost, by time.\n"
          "Times within 10 % and errors within 25 % of each other are not told apart.\n";
 }

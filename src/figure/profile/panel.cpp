@@ -103,13 +103,13 @@ std::optional<ParameterError> problem_of(const ProfileDescription& description) 
   if (static_cast<std::size_t>(description.cut) >= cut_count(description.surface))
     return ParameterError{"cut", "found " + std::to_string(description.cut) + "; accepted: a whole number below " +
                                      std::to_string(cut_count(description.surface))};
-  if (description.surface.type == "uncorrelated" && description.rays > 0)
+  const SurfaceFacts facts = facts_of(description.surface);
+  if (!facts.joined && description.rays > 0)
     return ParameterError{"rays", "facets that are independent stop no rays; accepted: a joined surface"};
-  const bool has_heights = description.surface.type != "v_cavity" && description.surface.type != "flat";
   for (const char* number : {"autocorrelation", "g2"})
-    if (!has_heights && has(description.numbers, number))
+    if (!facts.has_heights && has(description.numbers, number))
       return ParameterError{"numbers", "\"" + std::string(number) + "\" is known of gaussian, ggx and uncorrelated"};
-  if (description.surface.type != "v_cavity" && has(description.numbers, "theta_m"))
+  if (!facts.cavities && has(description.numbers, "theta_m"))
     return ParameterError{"numbers", "\"theta_m\" is known of v_cavity"};
   return std::nullopt;
 }

@@ -92,6 +92,17 @@ std::optional<ParameterError> problem_of(const ModelChoice& choice) {
   return error == nullptr ? std::nullopt : std::optional(*error);
 }
 
+SurfaceFacts facts_of(const ModelChoice& choice) {
+  return std::visit(
+      [](const auto& of) {
+        if constexpr (requires { of.facts; })
+          return of.facts;
+        else
+          return SurfaceFacts{.has_heights = !of.ruled, .cavities = of.ruled};
+      },
+      std::get<ProfileSurface>(made(choice)));
+}
+
 std::size_t cut_count(const ModelChoice& choice) {
   const auto surface = std::get<ProfileSurface>(made(choice));
   return std::visit(
@@ -108,7 +119,7 @@ Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_
   if (const auto* error = std::get_if<ParameterError>(&made_surface)) throw InputError(error->key, error->what);
   const auto& surface = std::get<ProfileSurface>(made_surface);
   count_ = cut_count(choice);
-  cavities_ = choice.type == "v_cavity";
+  cavities_ = facts_of(choice).cavities;
   std::visit(
       [&](const auto& of) {
         if constexpr (requires { of.realise(seed, 0); }) {
@@ -119,7 +130,7 @@ Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_
           if (!cavities_) slopes_ = of.target().value().type;
         } else if constexpr (requires { of.alpha; }) {
           only_ = uncorrelated(of, seed);
-          slopes_ = "beckmann";
+          slopes_ = of.slopes;
           alpha_ = of.alpha;
         } else {
           only_ = joined({0, 0});

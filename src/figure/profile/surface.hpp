@@ -14,9 +14,19 @@
 
 namespace brdfplot::plot {
 
+/// What can be asked of a surface, whatever its parameters.
+struct SurfaceFacts {
+  bool joined = true;       ///< else it stops no rays
+  bool has_heights = false; ///< random ones, that correlate, and that Smith's model is of
+  bool cavities = false;    ///< each cut is of a surface of its own, with two normals
+};
+
 /// The surface of Smith's model (Heitz 2014, section 4.1): facets of unit width whose heights and slopes are
 /// independent of each other and of their neighbours', both Gaussian.
 struct UncorrelatedSurface {
+  static constexpr SurfaceFacts facts{.joined = false, .has_heights = true};
+  static constexpr const char* slopes = "beckmann";
+
   double alpha = 1;
   double rms_height = 1;
   double samples = 4096;
@@ -28,6 +38,8 @@ struct UncorrelatedSurface {
 
 /// The geometric surface itself.
 struct FlatSurface {
+  static constexpr SurfaceFacts facts{};
+
   static ModelSpec spec() {
     return {.type = "flat", .doc = "the geometric surface", .source = "Heitz 2014, section 2.2"};
   }
@@ -40,6 +52,9 @@ using ProfileSurface = std::variant<simulation::GaussianSurface, //
                                     simulation::VCavitySurface,  //
                                     UncorrelatedSurface,         //
                                     FlatSurface>;
+
+/// Of a surface without a problem.
+SurfaceFacts facts_of(const ModelChoice& choice);
 
 /// What is wrong with the choice of a surface, if anything is.
 std::optional<ParameterError> problem_of(const ModelChoice& choice);

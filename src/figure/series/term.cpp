@@ -2,6 +2,7 @@
 
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "choice/advise/sampling_cost.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,10 @@ std::vector<double> mixed(const std::vector<double>& all, std::size_t n, Channel
     if (weights[c] != 0)
       for (std::size_t k = 0; k < n; ++k) out[k] += weights[c] * all[c * n + k];
   return out;
+}
+
+bool has_cost(SampledQuantity quantity) {
+  return quantity == SampledQuantity::sampling_cost || quantity == SampledQuantity::variance_times_cost;
 }
 
 /// The names under which a term's quantity may go.
@@ -46,7 +51,9 @@ bool depends_on(const std::string& name, const std::string& variable) {
   if (variable == "channel") return is_coloured(quantity);
   const bool of_m = variable == "theta_m" || variable == "phi_m" || variable == "slope";
   const bool of_i = variable == "theta_i" || variable == "phi_i";
-  const bool of_o_alone = quantity == "lambda" || quantity == "weight_variance" || quantity == "largest_weight" ||
+  const bool sampled =
+      std::ranges::find(sampled_quantities(), quantity, &SampledQuantityInfo::name) != sampled_quantities().end();
+  const bool of_o_alone = quantity == "lambda" || (sampled && quantity != "pdf") ||
                           std::ranges::find(integrals(), quantity, &IntegralInfo::name) != integrals().end();
   if (of_o_alone) return !of_m && !of_i;
   return !of_m || (quantity != "brdf" && quantity != "brdf_cos" && quantity != "pdf");
@@ -72,6 +79,7 @@ void TermFunction::require_all(const MaterialDescription& description, const Mat
                                const Directions& directions) const {
   if ((integral_ || sampled_) && !directions.o) throw InputError("", "this quantity needs theta_o");
   if (sampled_ == SampledQuantity::pdf && !directions.i) throw InputError("", "this quantity needs theta_i");
+  if (sampled_ && has_cost(*sampled_)) (void)choice::sampling_operations(description, fixed().strategy());
   if (sampled_)
     require_strategy(material, fixed().strategy());
   else if (quantity_)
@@ -128,7 +136,11 @@ std::vector<double> TermFunction::evaluated(const Material& material, const std:
   return all;
 }
 
-std::vector<double> TermFunction::sampled(const Material& material, const std::vector<Directions>& directions) const {
+std::vector<double> TermFunction::sampled(const MaterialDescription& description, const Material& material,
+                                          const std::vector<Directions>& directions) const {
+  const double cost =
+      has_cost(*sampled_) ? choice::cost(choice::sampling_operations(description, fixed().strategy())) : 1;
+  if (*sampled_ == SampledQuantity::sampling_cost) return std::vector<double>(directions.size(), cost);
   const Sampler sampler(material, fixed().strategy());
   const int channel = material.channels() == 1 ? 0 : single_channel(fixed().channel(), name_);
   std::vector<double> values;
@@ -138,10 +150,10 @@ std::vector<double> TermFunction::sampled(const Material& material, const std::v
     values.push_back(0);
     if (*sampled_ == SampledQuantity::pdf)
       sampler.densities(1, {&o.x, &o.y, &o.z}, {&row.i->x, &row.i->y, &row.i->z}, &values.back());
-    else if (*sampled_ == SampledQuantity::weight_variance)
-      values.back() = weight_variance(material, sampler, o, tolerance_, channel);
-    else
+    else if (*sampled_ == SampledQuantity::largest_weight)
       values.back() = largest_weight(material, sampler, o, channel);
+    else
+      values.back() = cost * weight_variance(material, sampler, o, tolerance_, channel);
   }
   return values;
 }
@@ -155,7 +167,7 @@ std::vector<double> TermFunction::operator()(const SweptColumns& columns) const 
                                     if (quantity_) {
                                       values = evaluated(surface.material, directions);
                                     } else if (sampled_) {
-                                      values = sampled(surface.material, directions);
+                                      values = sampled(surface.description, surface.material, directions);
                                     } else if (configuration_.is_constant()) {
                                       values.assign(rows.size(), integral_at(surface.material, *directions.front().o));
                                     } else {

@@ -40,7 +40,8 @@ private:
   void require_all(const MaterialDescription& description, const Material& material,
                    const Directions& directions) const;
   double integral_at(const Material& material, const Direction& o) const;
-  std::vector<double> sampled(const Material& material, const std::vector<Directions>& directions) const;
+  std::vector<double> sampled(const MaterialDescription& description, const Material& material,
+                              const std::vector<Directions>& directions) const;
   std::vector<double> evaluated(const Material& material, const std::vector<Directions>& directions) const;
 
   std::string name_;

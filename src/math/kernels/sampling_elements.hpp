@@ -75,69 +75,100 @@ BRDFPLOT_INLINE Quotient<double> scaled_erfc(double x, double square) {
   return {multiply_add(x + x, m, n), multiply_add(square + square, m, multiply_add(x, n, m)), 0};
 }
 
-/// erfc^-1(t) to 8e-5 / max(1, |value|) for 2^-53 <= t < 2: with w = -ln(1 - erf^2), its square over w falls from
-/// pi/4 to 1, as fitted here at Chebyshev's nodes of sqrt(w) in [0, 6.1].
+/// |erfc^-1(t)| to 8e-5 / max(1, itself) for 2^-53 <= t < 2: with w = -ln(1 - erf^2), its square over w falls from pi/4
+/// to 1, as fitted here at Chebyshev's nodes of sqrt(w) in [0, 6.1].
 BRDFPLOT_INLINE double first_erfc_inverse(double t) {
   constexpr double above[] = {0.785398216494, 0.152194928246, 0.0239022031750, 0.00144709661505};
   constexpr double below[] = {1.0, 0.170193563327, 0.0269163383432, 0.00145351869823};
   const double w = larger(-rounded_logarithm(t * (2 - t), 0.0), 0.0), w2 = w * w;
-  const double x = root(w * polynomial(above, w, w2) / polynomial(below, w, w2));
-  return t > 1 ? -x : x;
+  return root(w * polynomial(above, w, w2) / polynomial(below, w, w2));
 }
 
-/// erf^-1(2 u - 1) for u in [0, 1), 0 as 2^-54. One step of Newton's rule and two terms more from the guess, which are
-/// the series of the inverse: absolute error below 1e-15 (1 + |x|).
-BRDFPLOT_INLINE double gaussian(double u) {
-  const double above_0 = larger(u, 0x1p-54), t = above_0 < 0.5 ? 2 * above_0 : 2 * (1 - above_0);
-  const double x = first_erfc_inverse(t), square = x * x;
+/// The share of what lies further out than u on its side of 1/2, and as much on the other; u = 0 as 2^-54.
+BRDFPLOT_INLINE double both_tails(double u) { return 2 * smaller(larger(u, 0x1p-54), 1 - u); }
+
+/// erf^-1(2 u - 1) for u in [0, 1) from x = first_erfc_inverse(both_tails(u)). One step of Newton's rule and two terms
+/// more, which are the series of the inverse: absolute error below 1e-15 (1 + |x|).
+BRDFPLOT_INLINE double gaussian(double x, double u) {
+  const double t = both_tails(u), square = x * x;
   const Quotient<double> q = scaled_erfc(x, square);
   const double e = normal_exponential(-square);
   constexpr double half_root_pi = 0x1.c5bf891b4ef6bp-1;
   // (erfc(x) - t) / erfc'(x)
   const double y = 0.5 * multiply_add(q.numerator, e, -(2 * half_root_pi * t) * q.denominator) / (e * q.denominator);
   const double series = multiply_add(multiply_add(4 * square, 1.0 / 3, 1.0 / 3), y, x);
-  const double moved = x + y * multiply_add(series, y, 1.0);
-  return above_0 < 0.5 ? -moved : moved;
+  const double moved = multiply_add(y, multiply_add(series, y, 1.0), x);
+  return __builtin_copysign(moved, u - 0.5);
 }
 
-/// A slope towards the viewer on its way: x, and sqrt(-ln(1 - u)), which is x where it is seen from the horizon.
-struct Facing {
-  double x, wanted;
+/// erfc of the guess of a slope towards the viewer: erf(-x) = 1 - (1 + C) u^f with C = erf(c / s), f a polynomial in
+/// the angle (Heitz and d'Eon 2014).
+BRDFPLOT_INLINE double first_erfc(const detail::VisibleConstants& k, double u) {
+  const double power = normal_exponential(k.first_power * rounded_logarithm(larger(u, 0x1p-54), 0.0));
+  return smaller(multiply_add(k.rest, power, k.below), 2 - 0x1p-50);
+}
+
+/// The guess, from t = first_erfc(); where slopes start, their square is as the share: x = lowest +
+/// y / (1 + 2 y c / (3 s)), y = sqrt(2 whole u e^(c^2 / s^2) / s).
+BRDFPLOT_INLINE double first_facing(const detail::VisibleConstants& k, double t, double u) {
+  const double x = __builtin_copysign(first_erfc_inverse(t), t - 1), y = k.rise * root(larger(u, 0x1p-54));
+  return larger(x, k.lowest + y / multiply_add(k.bend, y, 1.0));
+}
+
+/// L(x) = sqrt(-ln(1 - u)), which is x where it is seen from the horizon.
+BRDFPLOT_INLINE double wanted_root(double u) {
+  const double above_0 = larger(u, 0x1p-54), complement = 1 - above_0;
+  return root(-rounded_logarithm(complement, (1 - complement) - above_0));
+}
+
+/// A share of what is seen, taken from the side where it does not cancel: F(x) for x < 0 and 1 - F(x) else; and
+/// e^(-x^2).
+struct FacingShare {
+  double part, e;
 };
 
-/// erf(-x) = 1 - (1 + C) u^f with C = erf(c / s), f a polynomial in the angle (Heitz and d'Eon 2014); where slopes
-/// start, their square is as the share: x = lowest + y / (1 + 2 y c / (3 s)), y = sqrt(2 whole u e^(c^2 / s^2) / s).
-BRDFPLOT_INLINE Facing first_facing(const detail::VisibleConstants& k, double u) {
-  const double above_0 = larger(u, 0x1p-54);
-  const double power = normal_exponential(k.first_power * rounded_logarithm(above_0, 0.0));
-  const double x = -first_erfc_inverse(smaller(multiply_add(k.rest, power, k.below), 2 - 0x1p-50));
-  const double y = k.rise * root(above_0), complement = 1 - above_0;
-  return {larger(x, k.lowest + y / multiply_add(k.bend, y, 1.0)),
-          root(-rounded_logarithm(complement, (1 - complement) - above_0))};
+BRDFPLOT_INLINE FacingShare share_at(const detail::VisibleConstants& k, double x) {
+  const double square = x * x, e = normal_exponential(-square);
+  const Quotient<double> q = scaled_erfc(magnitude(x), square);
+  const double scaled = k.c * (q.numerator / q.denominator);
+  const double side = x < 0 ? -1.0 : 1.0, lost = x < 0 ? k.share_lost : 0.0;
+  const double part = multiply_add(0.5 * e, multiply_add(side, k.s, scaled), lost);
+  return {larger(part * k.inverse_whole, 1e-40), e};
 }
 
 /// A step for L(x) = sqrt(-ln(1 - F(x))), F(x) the share of what is seen below x, that is to be `wanted`: L is smooth,
 /// and nearly linear where there is little on either side. With h = F' / (1 - F) and its derivatives, of the fourth
-/// order (Householder). F is taken from below for x < 0 and 1 - F from above else, where they do not cancel.
-BRDFPLOT_INLINE double facing_step(const detail::VisibleConstants& k, const Facing& at) {
-  const double x = at.x, square = x * x;
-  const double e = normal_exponential(-square);
-  const Quotient<double> q = scaled_erfc(magnitude(x), square);
-  const double scaled = k.c * (q.numerator / q.denominator);
+/// order (Householder). `at` is share_at(x).
+BRDFPLOT_INLINE double facing_step(const detail::VisibleConstants& k, double x, const FacingShare& at, double wanted) {
   const bool low = x < 0;
-  const double part =
-      ((low ? multiply_add(0.5 * e, scaled - k.s, k.share_lost) : 0.5 * e * (scaled + k.s))) * k.inverse_whole;
-  const double share = larger(part, 1e-40), rest = low ? 1 - share : share;
-  const double l2 = larger(-rounded_logarithm(rest, low ? (1 - rest) - share : 0.0), 1e-18), l = root(l2);
+  const double rest = low ? 1 - at.part : at.part;
+  const double l2 = larger(-rounded_logarithm(rest, low ? (1 - rest) - at.part : 0.0), 1e-18), l = root(l2);
   const double d = larger(multiply_add(k.s, x, k.c), 1e-18);
   const double mass = rest * k.whole, inverse = 1 / (d * mass);
-  const double h = d * e * d * inverse, fall = k.s * mass * inverse, b = fall - 2 * x + h;
+  const double h = d * at.e * d * inverse, fall = k.s * mass * inverse, b = fall - 2 * x + h;
   const double inverse2 = 1 / (h * l2), half = 0.5 * h * h * inverse2;
-  const double n = 2 * l * (at.wanted - l) * l2 * inverse2;
+  const double n = 2 * l * (wanted - l) * l2 * inverse2;
   const double a = 0.5 * (b - half);
   const double third = multiply_add(b, b, h * b - fall * fall - 2) * (1.0 / 6) - a * half;
   const double next = x + n * multiply_add(a, n, 1.0) / multiply_add(multiply_add(third, n, 2 * a), n, 1.0);
   return larger(next, k.lowest);
+}
+
+/// The last step, from within some 1e-3 of where the share below is u: Newton's rule and two terms more of the series
+/// of F's inverse, y = (u - F) / F', which need no logarithm. F is taken as in share_at().
+BRDFPLOT_INLINE double last_facing_step(const detail::VisibleConstants& k, double x, double u) {
+  const double above_0 = larger(u, 0x1p-54), square = x * x;
+  const double e = normal_exponential(-square);
+  const Quotient<double> q = scaled_erfc(magnitude(x), square);
+  const double area = k.c * q.numerator, edge = k.s * q.denominator;
+  const double side = x < 0 ? -1.0 : 1.0, lost = x < 0 ? k.share_lost : 0.0;
+  const double wanted = k.whole * (x < 0 ? above_0 : 1 - above_0);
+  const double excess = multiply_add(0.5 * e, multiply_add(side, edge, area), (lost - wanted) * q.denominator);
+  const double d = larger(multiply_add(k.s, x, k.c), 1e-18), inverse = 1 / (q.denominator * d * e);
+  const double y = side * inverse * excess;
+  const double fall = edge * e * inverse, b = multiply_add(-2.0, x, fall); // s / d, and F'' / F'
+  const double third = multiply_add(b, 2 * b, multiply_add(fall, fall, 2.0)) * (1.0 / 6);
+  return larger(multiply_add(y, multiply_add(y, multiply_add(third, y, -0.5 * b), 1.0), x), k.lowest);
 }
 
 /// Unit slopes times h, and h.

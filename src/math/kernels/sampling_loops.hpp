@@ -23,29 +23,53 @@ inline void mirror_ggx(const detail::VisibleConstants& constants, const double* 
   }
 }
 
+/// Unit slopes at right angles to the viewer, of at most block_size numbers.
+inline void slopes_across(const double* __restrict u2, double* __restrict across, std::size_t size) {
+  Column<double> guess;
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) guess[j] = first_erfc_inverse(both_tails(u2[j]));
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) across[j] = gaussian(guess[j], u2[j]);
+}
+
+/// Those towards the viewer.
+inline void slopes_facing(const detail::VisibleConstants& constants, const double* __restrict u1,
+                          double* __restrict facing, std::size_t size) {
+  const detail::VisibleConstants k = constants;
+  Column<double> erfc, guess, wanted, part, e, close;
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) erfc[j] = first_erfc(k, u1[j]);
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) guess[j] = first_facing(k, erfc[j], u1[j]);
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) wanted[j] = wanted_root(u1[j]);
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) {
+    const FacingShare share = share_at(k, guess[j]);
+    part[j] = share.part, e[j] = share.e;
+  }
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) close[j] = facing_step(k, guess[j], {part[j], e[j]}, wanted[j]);
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < size; ++j) facing[j] = last_facing_step(k, close[j], u1[j]);
+}
+
+/// In short loops: what one slope takes is a chain of hundreds of operations that wait for each other, and a processor
+/// does not look far enough ahead to work on the next slopes meanwhile. One loop takes half as long again.
 inline void mirror_beckmann(const detail::VisibleConstants& constants, const double* __restrict u1,
                             const double* __restrict u2, const MirroredAtNormals& out, std::size_t n) {
   const detail::VisibleConstants k = constants;
   const MirroredAtNormals to = out;
-  Column<double> x, wanted, across;
+  Column<double> facing, across;
   for (std::size_t first = 0; first < n; first += block_size) {
     const std::size_t size = n - first < block_size ? n - first : block_size;
-    BRDFPLOT_INDEPENDENT
-    for (std::size_t j = 0; j < size; ++j) across[j] = gaussian(u2[first + j]);
-    BRDFPLOT_INDEPENDENT
-    for (std::size_t j = 0; j < size; ++j) {
-      const Facing guess = first_facing(k, u1[first + j]);
-      x[j] = guess.x, wanted[j] = guess.wanted;
-    }
-    for (int step = 0; step < 2; ++step) {
-      BRDFPLOT_INDEPENDENT
-      for (std::size_t j = 0; j < size; ++j) x[j] = facing_step(k, {x[j], wanted[j]});
-    }
+    slopes_facing(k, u1 + first, facing.values, size);
+    slopes_across(u2 + first, across.values, size);
     BRDFPLOT_INDEPENDENT
     for (std::size_t j = 0; j < size; ++j) {
-      const MirroredAt m = normal_of(k, {x[j], across[j], 1});
+      const MirroredAt m = normal_of(k, {facing[j], across[j], 1});
       store_mirrored(k, m, 1 / m.norm2, to, first + j);
-      const double e = normal_exponential(-multiply_add(x[j], x[j], across[j] * across[j]));
+      const double e = normal_exponential(-multiply_add(facing[j], facing[j], across[j] * across[j]));
       to.pdf[first + j] = k.density * e * (m.norm2 * m.norm2);
     }
   }

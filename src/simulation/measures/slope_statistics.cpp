@@ -68,7 +68,8 @@ SlopeMap from_moments(std::span<const Tile> tiles) {
           m.x, m.y};
 }
 
-/// alpha of GGX along an azimuth: sqrt(3) times the median of |slope - mean|.
+/// alpha along an azimuth where slopes have no variance, which are those of GGX: sqrt(3) times the median of
+/// |slope - mean|.
 double median_alpha(std::span<const Tile> tiles, const SlopeMap& mean, double cos_phi, double sin_phi) {
   std::vector<double> sizes;
   for (const Tile& tile : tiles)
@@ -93,36 +94,31 @@ SlopeMap from_medians(std::span<const Tile> tiles) {
 }
 
 /// Shares of the bins in a tile.
-std::vector<double> histogram_of(const Tile& tile, const Surface& surface, const SlopeMap& slopes) {
+std::vector<double> histogram_of(const Tile& tile, const UnitSlopes& shape, const SlopeMap& slopes) {
   std::vector<double> share(bins, 0.0);
   const double one = 1 / facets_of(tile);
-  std::visit(
-      [&](const auto& s) {
-        for_facets(tile, [&](const Slope& slope) {
-          const Slope unit = unit_slope(slopes, slope);
-          const double radius = s.radial_cdf(std::hypot(unit.x, unit.y)) * static_cast<double>(rings);
-          const double turn =
-              (std::atan2(unit.y, unit.x) / (2 * std::numbers::pi) + 0.5) * static_cast<double>(sectors);
-          const std::size_t ring = std::min(static_cast<std::size_t>(radius), rings - 1);
-          share[ring * sectors + std::min(static_cast<std::size_t>(turn), sectors - 1)] += one;
-        });
-      },
-      surface);
+  for_facets(tile, [&](const Slope& slope) {
+    const Slope unit = unit_slope(slopes, slope);
+    const double radius = shape.share_within(std::hypot(unit.x, unit.y)) * static_cast<double>(rings);
+    const double turn = (std::atan2(unit.y, unit.x) / (2 * std::numbers::pi) + 0.5) * static_cast<double>(sectors);
+    const std::size_t ring = std::min(static_cast<std::size_t>(radius), rings - 1);
+    share[ring * sectors + std::min(static_cast<std::size_t>(turn), sectors - 1)] += one;
+  });
   return share;
 }
 
 } // namespace
 
 SlopeStatistics measure_slopes(const Surface& surface, std::span<const Tile> tiles) {
-  const auto target = std::visit([](const auto& s) { return s.target(); }, surface);
+  const UnitSlopes& shape = std::visit([](const auto& s) -> const UnitSlopes& { return s.unit_slopes(); }, surface);
   const auto asked = std::visit([](const auto& s) { return s.asked(); }, surface);
   SlopeStatistics out;
-  out.slopes = target && target->type == "ggx" ? from_medians(tiles) : from_moments(tiles);
+  out.slopes = shape.has_variance ? from_moments(tiles) : from_medians(tiles);
   const SlopeMap reference = asked.value_or(out.slopes);
   if (!(reference.alpha_x > 0 && reference.alpha_y > 0)) return out; // ruled: its slopes have no density
   std::vector<std::vector<double>> of_tile(tiles.size());
   tbb::parallel_for(std::size_t{0}, tiles.size(),
-                    [&](std::size_t k) { of_tile[k] = histogram_of(tiles[k], surface, reference); });
+                    [&](std::size_t k) { of_tile[k] = histogram_of(tiles[k], shape, reference); });
   const auto n = static_cast<double>(tiles.size());
   constexpr double p = 1.0 / bins;
   double variance = 0, miss2 = 0;

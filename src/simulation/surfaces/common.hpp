@@ -39,6 +39,19 @@ inline Slope unit_slope(const SlopeMap& slopes, const Slope& slope) {
   return {u, (v - slopes.correlation * u) / slopes.decorrelation()};
 }
 
+/// Slopes at unit roughness that surfaces are made with.
+struct UnitSlopes {
+  const char* distribution;            ///< which they are those of
+  bool has_variance;                   ///< else medians tell the roughness
+  double (*share_within)(double norm); ///< the share of slopes that are no larger
+  double (*norm_within)(double share); ///< its inverse
+};
+
+inline constexpr UnitSlopes beckmann_slopes{"beckmann", true, [](double r) { return -std::expm1(-r * r); },
+                                            [](double u) { return std::sqrt(-std::log1p(-u)); }};
+inline constexpr UnitSlopes ggx_slopes{"ggx", false, [](double r) { return r * r / (1 + r * r); },
+                                       [](double u) { return std::sqrt(u / (1 - u)); }};
+
 /// The distribution named `type` with this map of slopes.
 inline ModelChoice distribution_of(const std::string& type, const SlopeMap& slopes) {
   ModelChoice choice{.type = type, .values = {}};

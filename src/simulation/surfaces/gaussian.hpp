@@ -12,6 +12,8 @@ namespace brdfplot::simulation {
 struct GaussianSurface {
   RandomMesh mesh;
 
+  static constexpr bool ruled = false; ///< heights vary both ways
+
   static ModelSpec spec() {
     return {.type = "gaussian",
             .doc = "Gaussian heights with a Gaussian or exponential autocorrelation; slopes of Beckmann",
@@ -28,9 +30,8 @@ struct GaussianSurface {
     return out;
   }
   std::optional<SlopeMap> asked() const { return mesh.slopes; }
-  std::optional<ModelChoice> target() const { return distribution_of("beckmann", mesh.slopes); }
-  /// 1 - exp(-r^2).
-  double radial_cdf(double r) const { return -std::expm1(-r * r); }
+  std::optional<ModelChoice> target() const { return distribution_of(unit_slopes().distribution, mesh.slopes); }
+  const UnitSlopes& unit_slopes() const { return beckmann_slopes; }
 };
 
 } // namespace brdfplot::simulation

@@ -25,6 +25,8 @@ namespace brdfplot::simulation {
 struct GgxSurface {
   RandomMesh mesh;
 
+  static constexpr bool ruled = false; ///< heights vary both ways
+
   static ModelSpec spec() {
     return {.type = "ggx",
             .doc = "heights that are a function of Gaussian ones, so that the slopes are GGX's",
@@ -36,9 +38,8 @@ struct GgxSurface {
   std::optional<ParameterError> problem() const { return mesh.problem(); }
   Realisation realise(std::uint64_t seed, std::uint64_t realisation) const;
   std::optional<SlopeMap> asked() const { return mesh.slopes; }
-  std::optional<ModelChoice> target() const { return distribution_of("ggx", mesh.slopes); }
-  /// r^2 / (1 + r^2).
-  double radial_cdf(double r) const { return r * r / (1 + r * r); }
+  std::optional<ModelChoice> target() const { return distribution_of(unit_slopes().distribution, mesh.slopes); }
+  const UnitSlopes& unit_slopes() const { return ggx_slopes; }
 };
 
 } // namespace brdfplot::simulation

@@ -28,7 +28,7 @@ struct HeightMapSurface {
   Realisation realise(std::uint64_t seed, std::uint64_t realisation) const;
   std::optional<SlopeMap> asked() const { return std::nullopt; }
   std::optional<ModelChoice> target() const { return std::nullopt; }
-  double radial_cdf(double r) const { return -std::expm1(-r * r); }
+  const UnitSlopes& unit_slopes() const { return beckmann_slopes; } // those of no other are meant
 };
 
 } // namespace brdfplot::simulation

@@ -4,10 +4,19 @@
 #include "base/random.hpp"
 #include "simulation/streams.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace brdfplot::simulation {
+
+namespace {
+
+/// What the slopes may be, the first where nothing is said.
+constexpr std::array shapes = {&beckmann_slopes, &ggx_slopes};
+
+} // namespace
 
 ModelSpec VCavitySurface::spec() {
   ModelSpec spec{.type = "v_cavity",
@@ -17,9 +26,10 @@ ModelSpec VCavitySurface::spec() {
                  .alternatives = SlopeMap::alternatives()};
   spec.parameters.push_back({.key = "slopes",
                              .kind = ParameterKind::choice,
-                             .fallback = std::string("beckmann"),
+                             .fallback = std::string(shapes.front()->distribution),
                              .doc = "what their distribution is",
-                             .choices = {"beckmann", "ggx"}});
+                             .choices = {}});
+  for (const UnitSlopes* shape : shapes) spec.parameters.back().choices.push_back(shape->distribution);
   spec.parameters.push_back({.key = "pairs",
                              .bounds = {.min = 16, .max = 65536},
                              .fallback = 1024.0,
@@ -28,7 +38,9 @@ ModelSpec VCavitySurface::spec() {
 }
 
 VCavitySurface VCavitySurface::from(const Values& values) {
-  return {SlopeMap::from(values), values.text("slopes") == "ggx", values.number("pairs")};
+  const std::string asked = values.text("slopes");
+  const auto* shape = *std::ranges::find(shapes, asked, [](const UnitSlopes* one) { return one->distribution; });
+  return {SlopeMap::from(values), shape, values.number("pairs")};
 }
 
 std::optional<ParameterError> VCavitySurface::problem() const {
@@ -48,7 +60,7 @@ Realisation VCavitySurface::realise(std::uint64_t seed, std::uint64_t realisatio
     // Strata of equal weight, in the radius, where the long tail of GGX would make the most noise.
     const double u = (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
     const double phi = 2 * std::numbers::pi * random.uniform();
-    const double radius = ggx ? std::sqrt(u / (1 - u)) : std::sqrt(-std::log1p(-u));
+    const double radius = shape->norm_within(u);
     const Slope slope = slope_at(centred, radius * std::cos(phi), radius * std::sin(phi));
     const auto height = static_cast<float>(std::hypot(slope.x, slope.y));
     squares += height * height / 12.0;

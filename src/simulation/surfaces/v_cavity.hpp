@@ -14,16 +14,18 @@ namespace brdfplot::simulation {
 /// a normal has the area that D gives it. Under a shear the mirror image is taken at the tilted mesosurface.
 struct VCavitySurface {
   SlopeMap slopes;
-  bool ggx = false;
+  const UnitSlopes* shape = &beckmann_slopes;
   double pairs = 1024;
+
+  static constexpr bool ruled = true; ///< ridges, each surface with one pair of normals
 
   static ModelSpec spec();
   static VCavitySurface from(const Values& values);
   std::optional<ParameterError> problem() const;
   Realisation realise(std::uint64_t seed, std::uint64_t realisation) const;
   std::optional<SlopeMap> asked() const { return slopes; }
-  std::optional<ModelChoice> target() const { return distribution_of(ggx ? "ggx" : "beckmann", slopes); }
-  double radial_cdf(double r) const { return ggx ? r * r / (1 + r * r) : -std::expm1(-r * r); }
+  std::optional<ModelChoice> target() const { return distribution_of(shape->distribution, slopes); }
+  const UnitSlopes& unit_slopes() const { return *shape; }
 };
 
 } // namespace brdfplot::simulation

@@ -43,8 +43,22 @@ ModelChoice f82(const Fresnel& fresnel) {
   return choice;
 }
 
+/// Whether another term stands for what the facets of this one reflect again, and asks for their F.
+bool is_bounced(const MaterialDescription& material, const std::string& name) {
+  return std::ranges::any_of(material.terms, [&](const TermDescription& other) {
+    return other.of_name == name && (other.type == "multiple_bounce" || other.type == "turquin");
+  });
+}
+
+/// Schlick's term with f90 = f0.
+ModelChoice constant(const Fresnel& fresnel) {
+  ModelChoice choice = schlick(fresnel);
+  choice.values.set("f90", choice.values.map().find("f0")->second);
+  return choice;
+}
+
 /// The Fresnel term is left out, and its value at the normal is part of the weight.
-void make_constant(TermDescription& term, const Fresnel& fresnel) {
+void put_in_weight(TermDescription& term, const Fresnel& fresnel) {
   const Rgb f0 = at_normal(fresnel);
   const bool is_rgb = coloured(fresnel) || std::holds_alternative<Rgb>(term.weight);
   Rgb weight{};
@@ -76,8 +90,10 @@ Option option_of(const std::string& name, const std::string& type) {
   option.steps.push_back({part + ": constant" + was, [name](Draft& draft) {
                             TermDescription* term = draft.find(name);
                             if (term == nullptr) return false;
-                            make_constant(*term, make_or_throw<Fresnel>("fresnel", term->fresnel));
-                            draft.set_free(name, "weight");
+                            const auto fresnel = make_or_throw<Fresnel>("fresnel", term->fresnel);
+                            const bool bounced = is_bounced(draft.material, name);
+                            bounced ? void(term->fresnel = constant(fresnel)) : put_in_weight(*term, fresnel);
+                            draft.set_free(name, bounced ? "f0" : "weight");
                             return true;
                           }});
   return option;

@@ -9,6 +9,7 @@
 #include "choice/advise/options/distribution.hpp"
 #include "choice/advise/options/drop.hpp"
 #include "choice/advise/options/fresnel.hpp"
+#include "choice/advise/options/numbers.hpp"
 #include "choice/advise/options/visibility.hpp"
 
 namespace brdfplot::choice {
@@ -21,16 +22,18 @@ std::vector<Option> options_by(const MaterialDescription& material) {
   return out;
 }
 
-/// All that a material in canonical form has.
-inline std::vector<Option> options_of(const MaterialDescription& material) {
-  return options_by<FlatterDiffuse,    //
-                    LighterCoat,       //
-                    FewerTerms,        //
-                    SingleLobe,        //
-                    Level,             //
-                    Rounder,           //
-                    CheaperVisibility, //
-                    SimplerFresnel>(material);
+/// All that a material in canonical form has on a target.
+inline std::vector<Option> options_of(const MaterialDescription& material, Target target) {
+  std::vector<Option> out = options_by<FlatterDiffuse,    //
+                                       LighterCoat,       //
+                                       FewerTerms,        //
+                                       SingleLobe,        //
+                                       Level,             //
+                                       Rounder,           //
+                                       CheaperVisibility, //
+                                       SimplerFresnel>(material);
+  if (can_go_single(target)) out.push_back(SingleNumbers::of());
+  return out;
 }
 
 } // namespace brdfplot::choice
