@@ -336,7 +336,9 @@ FigureFile figure_of(const JsonFile& file) {
 
 FigureFile load_figure(const std::string& path) { return figure_of(JsonFile(path)); }
 
-FigureFile figure_from_text(const std::string& json, const std::string& name) { return figure_of(JsonFile(name, json)); }
+FigureFile figure_from_text(const std::string& json, const std::string& name) {
+  return figure_of(JsonFile(name, json));
+}
 
 plot::FigureDescription load_quick_figure(const QuickFigure& figure) {
   return read_figure(JsonFile("plot", quick_figure(figure, ".")));
