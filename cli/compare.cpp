@@ -108,7 +108,8 @@ void write_files(const Compared& compared, const std::string& folder, const Sett
                             rendered[k].csv,
                             "",
                             {},
-                            rendered[k].seconds});
+                            rendered[k].seconds,
+                            figures[k].id});
   }
   files.push_back({in_folder(folder, "index.html"), plot::to_html(page)});
   write_text_files(files);

@@ -14,9 +14,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string_view>
+#include <utility>
 
 namespace brdfplot::cli {
 
@@ -27,7 +30,8 @@ struct PlotFlags {
   config::QuickFigure quick;
   std::vector<std::string> quantities, vs;
   std::string save;
-  std::string width;
+  std::string width, font_size;
+  bool no_title = false;
   std::string output;
   std::string cache;
 
@@ -50,13 +54,44 @@ config::QuickFigure quick_figure(const PlotFlags& flags) {
   return quick;
 }
 
-double page_width(const std::string& text) {
-  if (text.empty()) return 0;
-  const std::string number = text.ends_with("mm") ? text.substr(0, text.size() - 2) : text;
+/// Millimetres of the columns and pages that journals have.
+constexpr std::array<std::pair<std::string_view, double>, 8> journal_widths = {{{"acm", 84.7},
+                                                                                {"acm-page", 177.9},
+                                                                                {"elsevier", 90},
+                                                                                {"elsevier-page", 190},
+                                                                                {"ieee", 88.9},
+                                                                                {"ieee-page", 181.9},
+                                                                                {"nature", 89},
+                                                                                {"nature-page", 183}}};
+
+/// A length with or without its unit, within bounds. \throws InputError
+double bounded_length(const std::string& flag, const std::string& text, const std::string& unit, double shortest,
+                      double longest, const std::string& accepted) {
+  const std::string number = text.ends_with(unit) ? text.substr(0, text.size() - unit.size()) : text;
   const auto value = parse_number(number);
-  if (!value || !(*value >= 10) || *value > 2000)
-    throw InputError("--width", "found \"" + echo(text) + "\"; accepted: 10mm to 2000mm");
+  if (!value || !(*value >= shortest) || *value > longest)
+    throw InputError(flag, "found \"" + echo(text) + "\"; accepted: " + accepted);
   return *value;
+}
+
+double page_width(const std::string& text) {
+  std::string accepted = "10mm to 2000mm, or a column or page of";
+  for (const auto& [name, millimetres] : journal_widths) {
+    if (text == name) return millimetres;
+    accepted += (accepted.ends_with("of") ? " " : ", ") + std::string(name);
+  }
+  return bounded_length("--width", text, "mm", 10, 2000, accepted);
+}
+
+plot::Layout layout_of(const PlotFlags& flags) {
+  plot::Layout layout;
+  layout.title = !flags.no_title;
+  if (!flags.width.empty()) layout.width_mm = page_width(flags.width);
+  if (!flags.font_size.empty()) {
+    if (flags.width.empty()) throw InputError("--font-size", "it goes with --width");
+    layout.font_pt = bounded_length("--font-size", flags.font_size, "pt", 3, 40, "3pt to 40pt");
+  }
+  return layout;
 }
 
 std::vector<plot::FigureDescription> load(const std::vector<std::string>& files) {
@@ -82,18 +117,18 @@ std::vector<RenderedFigure> render_all(const std::vector<plot::FigureDescription
   for (const auto& figure : figures) described.push_back(&figure);
   append_simulations(described, settings, store, tasks);
   const int threads = std::max(1, settings.threads / static_cast<int>(figures.size()));
+  const plot::Layout layout = layout_of(flags);
   for (std::size_t k = 0; k < figures.size(); ++k)
-    tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k], store, threads); }});
+    tasks.push_back({figures[k].id, [&, k] { rendered[k] = render(figures[k], store, threads, layout); }});
   run_tasks(tasks, settings);
   return rendered;
 }
 
 /// One file, as its ending says; `-`: SVG to stdout.
 NamedText picture(const PlotFlags& flags, PictureFormat format, RenderedFigure rendered) {
-  const double width = page_width(flags.width);
   if (format == PictureFormat::csv) return {flags.output, std::move(rendered.csv)};
   if (format == PictureFormat::svg) return {flags.output, std::move(rendered.svg)};
-  return {flags.output, converted(rendered.svg, format, width, flags.output)};
+  return {flags.output, converted(rendered.svg, format, layout_of(flags).width_mm, flags.output)};
 }
 
 /// Nothing is written before everything is computed: a figure that fails leaves the folder as it was.
@@ -112,8 +147,11 @@ int run(const PlotFlags& flags, const Settings& settings) {
     figures = load(flags.files);
   }
   const auto format = flags.output == "-" ? PictureFormat::svg : format_of(flags.output);
-  if (!flags.width.empty() && format != PictureFormat::png && format != PictureFormat::pdf)
-    throw InputError("--width", "it goes with -o FILE.png or FILE.pdf");
+  const bool laid_out = !flags.width.empty() || !flags.font_size.empty() || flags.no_title;
+  if (laid_out && (flags.output.empty() || format == PictureFormat::csv))
+    throw InputError("--width, --font-size, --no-title",
+                     "they go with a drawing: -o FILE.svg, .png or .pdf, or a folder");
+  (void)layout_of(flags); // its mistakes are told before anything is computed
   if (format && figures.size() > 1)
     throw InputError("-o", "found a file for " + std::to_string(figures.size()) + " figures; accepted: a folder");
   if (!flags.output.empty() && !format) create_folders(flags.output);
@@ -158,7 +196,14 @@ Command add_plot(CLI::App& app, const Settings& settings) {
       ->add_option("--channel", flags->quick.channel, "With -q: of what is coloured; default: each, where they differ")
       ->type_name("r|g|b|luminance");
   command->add_option("--save", flags->save, "With -q: writes the figure file that it stands for")->type_name("FILE");
-  command->add_option("--width", flags->width, "Of a PNG or PDF on paper, as 84mm")->type_name("MM");
+  command
+      ->add_option("--width", flags->width,
+                   "On paper, as 84mm, or acm, elsevier, ieee, nature for a column, acm-page and so on for a page: the "
+                   "figure is laid out for it, so that text keeps its size")
+      ->type_name("MM|JOURNAL");
+  command->add_option("--font-size", flags->font_size, "With --width: of the numbers at axes; default: 8pt")
+      ->type_name("PT");
+  command->add_flag("--no-title", flags->no_title, "Leaves the title to a caption");
   command
       ->add_option(
           "-o,--output", flags->output,

@@ -21,11 +21,12 @@ void run_tasks(const std::vector<Task>& tasks, const Settings& settings) {
   });
 }
 
-RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store, int threads) {
+RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store, int threads,
+                      const plot::Layout& layout) {
   RenderedFigure rendered;
   rendered.seconds = timed([&] {
     const plot::Figure figure = plot::compute(description, store, threads);
-    rendered.svg = plot::to_svg(figure);
+    rendered.svg = plot::to_svg(figure, layout);
     rendered.caption = figure.description;
     rendered.csv = plot::to_csv(figure);
   });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command.hpp"
+#include "draw/layout.hpp"
 #include "figure/description.hpp"
 
 namespace brdfplot::cli {
@@ -26,7 +27,8 @@ struct RenderedFigure {
 };
 
 /// On up to `threads` threads.
-RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store, int threads = 1);
+RenderedFigure render(const plot::FigureDescription& description, simulation::Store& store, int threads = 1,
+                      const plot::Layout& layout = {});
 
 /// The simulations of all the figures, once each, as the first of the tasks: figures that start later wait for theirs.
 void append_simulations(const std::vector<const plot::FigureDescription*>& figures, const Settings& settings,

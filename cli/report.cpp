@@ -18,6 +18,7 @@
 #include <memory>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace brdfplot::cli {
 
@@ -68,29 +69,47 @@ struct Content {
 
   void add(const config::ReportEntry& entry, const plot::FigureDescription& figure, const Computed& computed) {
     const auto& [svg, csv, caption, seconds] = computed.figure;
-    page.push_back({figure.id, entry.section, figure.title, caption, svg, csv, entry.json, {}, seconds});
     const std::string stem = "figures/" + figure.id;
-    records.push_back({figure.id, "figure", {stem + ".svg", stem + ".csv"}, seconds, {}});
+    page.push_back(
+        {figure.id, entry.section, figure.title, caption, svg, csv, entry.json, {}, seconds, stem, entry.number, {}});
+    records.push_back({figure.id, "figure", {stem + ".svg", stem + ".csv", stem + ".json"}, seconds, {}});
     files.push_back({stem + ".svg", svg});
     files.push_back({stem + ".csv", csv});
+    files.push_back({stem + ".json", entry.json});
   }
 
   void add(const config::ReportEntry& entry, const PropertyTableDescription& table, const Computed& computed) {
     const std::string csv = table_csv(computed.rows);
     const double seconds = std::accumulate(computed.row_seconds.begin(), computed.row_seconds.end(), 0.0);
-    page.push_back({table.id, entry.section, table.title, table.caption, "", csv, entry.json,
-                    table_cells(computed.rows), seconds});
     const std::string stem = "tables/" + table.id;
-    records.push_back({table.id, "table", {stem + ".csv", stem + ".md"}, seconds, computed.rows});
+    const auto summary = by_masking(computed.rows);
+    auto cells = table_cells(computed.rows), all_rows = plot::Cells();
+    if (!summary.empty()) all_rows = std::exchange(cells, table_cells(summary));
+    page.push_back({table.id, entry.section, table.title, table.caption, "", csv, entry.json, std::move(cells), seconds,
+                    stem, entry.number, std::move(all_rows)});
+    records.push_back({table.id, "table", {stem + ".csv", stem + ".json", stem + ".md"}, seconds, computed.rows});
     files.push_back({stem + ".csv", csv});
+    files.push_back({stem + ".json", entry.json});
     files.push_back({stem + ".md", table_markdown(table.title, table.caption, computed.rows)});
   }
 
   void add(const config::ReportEntry& entry, const config::DataTable& table, const Computed&) {
-    page.push_back({table.id, entry.section, table.title, table.caption, "", table.csv, entry.json, table.cells, 0});
     const std::string stem = "tables/" + table.id;
-    records.push_back({table.id, "table", {stem + ".csv", stem + ".md"}, 0, {}});
+    page.push_back({table.id,
+                    entry.section,
+                    table.title,
+                    table.caption,
+                    "",
+                    table.csv,
+                    entry.json,
+                    table.cells,
+                    0,
+                    stem,
+                    entry.number,
+                    {}});
+    records.push_back({table.id, "table", {stem + ".csv", stem + ".json", stem + ".md"}, 0, {}});
     files.push_back({stem + ".csv", table.csv});
+    files.push_back({stem + ".json", entry.json});
     files.push_back({stem + ".md", table_markdown(table.title, table.caption, table.cells)});
   }
 };
@@ -104,7 +123,7 @@ std::vector<fs::path> stale_files(const std::string& folder, const std::vector<N
   for (const char* part : {"figures", "tables"}) {
     for (const auto& entry : fs::directory_iterator(fs::path(folder) / part, error)) {
       const auto extension = entry.path().extension();
-      const bool ours = extension == ".svg" || extension == ".csv" || extension == ".md";
+      const bool ours = extension == ".svg" || extension == ".csv" || extension == ".json" || extension == ".md";
       if (ours && entry.is_regular_file(error) && !current.contains(entry.path())) stale.push_back(entry.path());
     }
   }
@@ -143,7 +162,8 @@ int run(const ReportFlags& flags, const Settings& settings) {
   const std::string made_by = "Made by brdfplot " + std::string(version) + " from " + report.id + ".json in " +
                               std::to_string(std::lround(std::ceil(seconds))) + " s.";
   content.files.push_back(
-      {"index.html", plot::to_html({report.title, report.introduction, made_by, std::move(content.page)})});
+      {"index.html", plot::to_html({report.title, report.introduction, made_by, std::move(content.page), report.paper,
+                                    report.references, report.licence})});
   content.files.push_back(
       {"report.json", config::report_record(report, std::string(version), content.records, seconds)});
   write(flags.output, std::move(content.files));

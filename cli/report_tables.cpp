@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace brdfplot::cli {
 
@@ -52,7 +53,16 @@ std::string with_markup(const Residual& residual) {
   const Short number = shorten(residual.max_residual);
   std::string sign(mark(residual.verdict));
   if (residual.verdict == Verdict::not_applicable || number.digits.empty()) return sign;
-  return sign + " " + number.digits + (number.exponent == 0 ? "" : "·10^{" + std::to_string(number.exponent) + "}");
+  if (number.exponent == 0) return sign + " " + number.digits;
+  const std::string exponent = (number.exponent < 0 ? "−" : "") + std::to_string(std::abs(number.exponent));
+  return sign + " " + number.digits + "·10^{" + exponent + "}";
+}
+
+/// A name in a cell with label markup: its underscores are its own.
+std::string literal(const std::string& name) {
+  std::string out;
+  for (const char c : name) out += c == '_' ? "\\_" : std::string(1, c);
+  return out;
 }
 
 /// The properties that any row has, in their order.
@@ -75,13 +85,16 @@ std::vector<std::vector<std::string>> cells(const std::vector<PropertyRow>& rows
   std::vector<std::vector<std::string>> table(1);
   auto& header = table[0];
   if (materials) header.emplace_back("material");
-  header.insert(header.end(), {"masking", "distribution"});
+  const bool distributions = std::ranges::any_of(rows, [](const auto& row) { return !row.label.empty(); });
+  header.emplace_back("masking");
+  if (distributions) header.emplace_back("distribution");
   for (const auto& info : columns) header.push_back(info.title);
   header.emplace_back("physically based");
   for (const auto& row : rows) {
     std::vector<std::string> line;
     if (materials) line.push_back(row.material);
-    line.insert(line.end(), {row.masking, row.label});
+    line.push_back(row.masking);
+    if (distributions) line.push_back(row.label);
     for (const auto& info : columns) line.push_back(format(row.residuals.at(info.property)));
     line.emplace_back(mark(row.physically_based()));
     table.push_back(std::move(line));
@@ -119,6 +132,34 @@ void append_places(std::string& out, const PropertyRow& row, const std::vector<P
       if (told) append_number(out, value);
     }
   }
+}
+
+/// Whether `a` says more against a masking function than `b`: it fails where that does not, or misses by more.
+bool is_worse(const Residual& a, const Residual& b) {
+  const auto rank = [](const Residual& residual) {
+    switch (residual.verdict) {
+    case Verdict::fails: return 3;
+    case Verdict::unknown: return 2;
+    case Verdict::holds: return 1;
+    case Verdict::not_applicable: break;
+    }
+    return 0;
+  };
+  return rank(a) != rank(b) ? rank(a) > rank(b) : a.max_residual > b.max_residual;
+}
+
+std::string markdown_rows(const std::vector<std::vector<std::string>>& cells) {
+  std::string out;
+  bool header = true;
+  for (const auto& line : cells) {
+    for (const auto& cell : line) out += "| " + cell + " ";
+    out += "|\n";
+    if (header)
+      for (std::size_t k = 0; k < line.size(); ++k) out += "| --- ";
+    if (header) out += "|\n";
+    header = false;
+  }
+  return out;
 }
 
 } // namespace
@@ -166,29 +207,42 @@ std::string table_csv(const std::vector<PropertyRow>& rows) {
   return out;
 }
 
-std::string table_markdown(const std::string& title, const std::string& caption,
-                           const std::vector<std::vector<std::string>>& cells) {
-  std::string out = "# " + plot::strip_markup(title) + "\n\n" + plot::strip_markup(caption) + "\n\n";
-  bool header = true;
-  for (const auto& line : cells) {
-    for (const auto& cell : line) out += "| " + cell + " ";
-    out += "|\n";
-    if (header)
-      for (std::size_t k = 0; k < line.size(); ++k) out += "| --- ";
-    if (header) out += "|\n";
-    header = false;
+std::vector<PropertyRow> by_masking(const std::vector<PropertyRow>& rows) {
+  std::vector<PropertyRow> out;
+  for (const auto& row : rows) {
+    const auto same = [&](const PropertyRow& other) { return other.masking == row.masking; };
+    const auto found = std::ranges::find_if(out, same);
+    if (found == out.end()) {
+      out.push_back(row);
+      out.back().label = out.back().distribution = "";
+      continue;
+    }
+    for (const auto& [property, residual] : row.residuals) {
+      Residual& worst = found->residuals[property];
+      if (is_worse(residual, worst)) worst = residual;
+    }
   }
+  if (out.size() == rows.size() || has_materials(rows)) return {};
   return out;
 }
 
+std::string table_markdown(const std::string& title, const std::string& caption,
+                           const std::vector<std::vector<std::string>>& cells) {
+  return "# " + plot::strip_markup(title) + "\n\n" + plot::strip_markup(caption) + "\n\n" + markdown_rows(cells);
+}
 std::string table_markdown(const std::string& title, const std::string& caption, const std::vector<PropertyRow>& rows) {
-  return table_markdown(title, caption, cells(rows, plain));
+  const auto summary = by_masking(rows);
+  if (summary.empty()) return table_markdown(title, caption, cells(rows, plain));
+  return table_markdown(title, caption, cells(summary, plain)) + "\n" + markdown_rows(cells(rows, plain));
 }
 
 std::vector<std::vector<std::string>> plain_cells(const std::vector<PropertyRow>& rows) { return cells(rows, plain); }
 
 std::vector<std::vector<std::string>> table_cells(const std::vector<PropertyRow>& rows) {
-  return cells(rows, with_markup);
+  std::vector<PropertyRow> named = rows;
+  for (auto& row : named)
+    for (std::string* name : {&row.material, &row.masking, &row.label}) *name = literal(*name);
+  return cells(named, with_markup);
 }
 
 } // namespace brdfplot::cli

@@ -22,7 +22,11 @@ std::vector<std::string> untold(const PropertyRow& row);
 /// One line a row, in full: where the residuals are largest as well.
 std::string table_csv(const std::vector<PropertyRow>& rows);
 
-/// The table as Table 3 of Heitz 2014 shows it, under its title.
+/// The rows of one masking function as one, as Table 3 of Heitz 2014 has them: a property holds where it does for every
+/// distribution, and the residual is the largest. Empty where that is the table itself.
+std::vector<PropertyRow> by_masking(const std::vector<PropertyRow>& rows);
+
+/// The table under its title; before it that by masking function.
 std::string table_markdown(const std::string& title, const std::string& caption, const std::vector<PropertyRow>& rows);
 
 /// The same as cells of plain text; the first row is the header.

@@ -7,7 +7,7 @@ step() { printf '==> %s\n' "$*"; }
 
 # doctest-dev and python3 are here because the release preset configures the tests too.
 build_packages=(g++ cmake ninja-build libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-dev libmuparser-dev
-  libembree-dev libtbb-dev libfftw3-dev libpng-dev doctest-dev python3)
+  libembree-dev libtbb-dev libfftw3-dev libpng-dev zlib1g-dev doctest-dev python3)
 test_packages=(glslang-tools libxml2-utils librsvg2-bin chromium python3-jsonschema python3-mpmath
   pybind11-dev python3-dev python3-numpy python3-pytest)
 style_packages=(clang-format clang-tidy)

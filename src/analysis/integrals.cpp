@@ -7,6 +7,7 @@
 #include "brdf/fresnel_term.hpp"
 #include "brdf/kinks.hpp"
 #include "brdf/reflected_light.hpp"
+#include "brdf/reflected_moments.hpp"
 #include "brdf/viewer_rows.hpp"
 #include "integrate/visible_area.hpp"
 
@@ -141,14 +142,14 @@ double weak_furnace_on_grid(const Microsurface& surface, const Direction& o) {
 Estimate mean_theta_i(const std::vector<const WeightedTerm*>& terms, const Direction& o, double tolerance,
                       std::size_t channel) {
   const Direction along = azimuth(o);
-  const auto sideways = [&](const Direction& i) { return dot(along, i); };
+  const std::vector<LightWeight> parts = {[&](const Direction& i) { return dot(along, i); },
+                                          [](const Direction& i) { return i.z; }};
   double length = 0;
   const auto mean = [&](double asked) -> Estimate {
-    const auto x = reflected_light(terms, o, asked, {channel, 1}, sideways).channel(0);
-    const auto z = reflected_light(terms, o, asked, {channel, 1}, [](const Direction& i) { return i.z; }).channel(0);
+    const ColourEstimate light = reflected_moments(terms, o, asked, channel, parts);
+    const Estimate x = light.channel(0), z = light.channel(1);
     length = std::hypot(x.value, z.value);
-    return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity,
-            x.evaluations + z.evaluations};
+    return {std::atan2(x.value, z.value), length > 0 ? (x.error + z.error) / length : infinity, light.evaluations};
   };
   const Estimate estimate = mean(0.1 * tolerance);
   return estimate.error <= tolerance || !(length > 0) || length >= 1 ? estimate : mean(0.1 * tolerance * length);

@@ -1,5 +1,7 @@
 #include "brdf/reflected_light.hpp"
 
+#include "brdf/reflected_moments.hpp"
+
 #include "brdf/component_sum.hpp"
 #include "brdf/evaluate.hpp"
 #include "brdf/viewer_rows.hpp"
@@ -9,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace brdfplot {
 
@@ -29,10 +32,11 @@ void attenuate(const std::vector<Coat>& coats, const Batch& batch, std::size_t c
   for (std::size_t k = 0; k < factor.size(); ++k) all[k] = all[k] == 0 ? 0 : all[k] * factor[k];
 }
 
-/// Of what is about the half vector: over the normals that reflect the viewer into the light.
+/// Of what is about the half vector: over the normals that reflect the viewer into the light. All channels of a weight
+/// stand together; there are at most three results.
 template <class T>
 ColourEstimate over_half_vectors(const T& term, const std::vector<Coat>& coats, const Direction& o, double tolerance,
-                                 const ChannelRange& channels, const LightWeight& weight) {
+                                 const ChannelRange& channels, std::span<const LightWeight> weights) {
   ViewerRows rows(o);
   std::vector<double> all;
   const NormalIntegrand integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
@@ -44,9 +48,11 @@ ColourEstimate over_half_vectors(const T& term, const std::vector<Coat>& coats, 
     for (std::size_t k = 0; k < n; ++k) {
       // d omega_i = 4 (o.h) d omega_h.
       const double jacobian = 4 * dot(o, h[k]);
-      const double w = weight(batch.i[k]);
-      for (std::size_t c = 0; c < channels.count; ++c)
-        out[c * n + k] = all[(channels.first + c) * n + k] * jacobian * w;
+      for (std::size_t j = 0; j < weights.size(); ++j) {
+        const double w = weights[j](batch.i[k]);
+        for (std::size_t c = 0; c < channels.count; ++c)
+          out[(j * channels.count + c) * n + k] = all[(channels.first + c) * n + k] * jacobian * w;
+      }
     }
   };
   HalfVectorKinks kinks = term.kinks(o, term.channels() > 1 ? channels : ChannelRange{0, 1});
@@ -54,7 +60,7 @@ ColourEstimate over_half_vectors(const T& term, const std::vector<Coat>& coats, 
   const Distribution& facets = term.facets();
   return sum_over_components(facets, o, tolerance, [&](const auto& component, const SlopeFrame& frame, double asked) {
     return integrate_lit(frame,
-                         {share_of(facets, component, integrand), channels.count, kinks.switches,
+                         {share_of(facets, component, integrand), channels.count * weights.size(), kinks.switches,
                           kinks.in_plane_of_incidence, kinks.symmetric},
                          asked);
   });
@@ -137,11 +143,33 @@ ColourEstimate under_coats(const BrdfTerm& term, const std::vector<Coat>& coats,
         if constexpr (requires { one.reflected_light(omega_o, tolerance, channels, weight); })
           return by_its_own_rule(one, coats, omega_o, tolerance, channels, weight);
         else if constexpr (requires { one.about_half_vector; })
-          return over_half_vectors(one, coats, omega_o, tolerance, channels, weight);
+          return over_half_vectors(one, coats, omega_o, tolerance, channels, std::span(&weight, 1));
         else
           return over_hemisphere(one, coats, omega_o, tolerance, channels, weight);
       },
       term);
+}
+
+/// reflected_moments() of one term without its weight.
+ColourEstimate moments_of(const WeightedTerm& weighted, const Direction& omega_o, double tolerance, std::size_t channel,
+                          const std::vector<LightWeight>& weights) {
+  return std::visit(
+      [&](const auto& one) {
+        const ChannelRange own{channels_of(one, weighted.coats) > 1 ? channel : 0, 1};
+        if constexpr (requires { one.about_half_vector; }) {
+          return over_half_vectors(one, weighted.coats, omega_o, tolerance, own, weights);
+        } else {
+          ColourEstimate each;
+          for (std::size_t k = 0; k < weights.size(); ++k) {
+            const auto of_weight = under_coats(weighted.term, weighted.coats, omega_o, tolerance, own, weights[k]);
+            each.value[k] = of_weight.value[0];
+            each.error[k] = of_weight.error[0];
+            each.evaluations += of_weight.evaluations;
+          }
+          return each;
+        }
+      },
+      weighted.term);
 }
 
 } // namespace
@@ -177,6 +205,18 @@ ColourEstimate reflected_light(const std::vector<const WeightedTerm*>& terms, co
       one.error[c] = one.error[0];
     }
     sum.add(one, w);
+  }
+  return sum;
+}
+
+ColourEstimate reflected_moments(const std::vector<const WeightedTerm*>& terms, const Direction& omega_o,
+                                 double tolerance, std::size_t channel, const std::vector<LightWeight>& weights) {
+  ColourEstimate sum;
+  for (const WeightedTerm* weighted : terms) {
+    const double w = weighted->weight.value[channel];
+    if (w == 0) continue;
+    const double asked = tolerance / (w * static_cast<double>(terms.size()));
+    sum.add(moments_of(*weighted, omega_o, asked, channel, weights), {w, w, w});
   }
   return sum;
 }

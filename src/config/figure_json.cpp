@@ -42,7 +42,8 @@ plot::FigureDescription read_figure(const JsonFile& file) {
 
 FigureFile figure_of(const JsonFile& file) {
   expect_kind(file, "figure");
-  return {read_figure(file), file.text()};
+  const bool refers = file.text().find("\"$ref\"") != std::string::npos;
+  return {read_figure(file), refers ? file.root().dump(2) + "\n" : file.text()};
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "brdf/material.hpp"
 #include "choice/advise/advise.hpp"
 #include "choice/compare/compare.hpp"
+#include "draw/html/page.hpp"
 #include "figure/description.hpp"
 #include "simulation/scene.hpp"
 
@@ -25,7 +26,7 @@ MaterialDescription load_material(const std::string& path);
 /// The same of a text that is no file: errors say `name`, and references are relative to the working directory.
 MaterialDescription material_from_text(const std::string& json, const std::string& name);
 
-/// A figure with the text of its file.
+/// A figure with the text of its file; where that refers to others, with what they say in their place.
 struct FigureFile {
   plot::FigureDescription figure;
   std::string json;
@@ -40,7 +41,7 @@ struct DataTable {
   std::string title;
   std::string caption;
   std::string csv;
-  std::vector<std::vector<std::string>> cells; ///< header row first, all of one length
+  std::vector<std::vector<std::string>> cells; ///< what is shown: header row first, all of one length
 };
 
 /// One entry of a report: a figure or a table, with its JSON.
@@ -48,6 +49,7 @@ struct ReportEntry {
   std::string section;
   std::variant<plot::FigureDescription, PropertyTableDescription, DataTable> what;
   std::string json;
+  std::string number; ///< the paper's own; empty: the report's
 };
 
 struct ReportFile {
@@ -55,6 +57,9 @@ struct ReportFile {
   std::string title;
   std::string introduction;
   std::vector<ReportEntry> entries;
+  std::string paper; ///< how captions name it; empty: there is none
+  std::vector<plot::Reference> references;
+  std::string licence;
 };
 
 ReportFile load_report(const std::string& path);

@@ -8,6 +8,7 @@
 #include "models/registry.hpp"
 #include "stream/rows.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -47,10 +48,12 @@ ShapePtr table_shape() {
 
 ShapePtr data_shape() {
   return named("data", [] {
-    return object({{"id", file_stem(), true, "name of its files"},
-                   {"title", text(), true, "above the table"},
-                   {"caption", text(), true, "what it shows"},
-                   {"file", text(), true, "path of a CSV with a header line, relative to this file"}});
+    return object(
+        {{"id", file_stem(), true, "name of its files"},
+         {"title", text(), true, "above the table"},
+         {"caption", text(), true, "what it shows"},
+         {"file", text(), true, "path of a CSV with a header line, relative to this file"},
+         {"columns", array(text(), 1, 100), false, "those of the CSV that are shown, in order; default: all"}});
   });
 }
 
@@ -122,6 +125,21 @@ std::vector<std::vector<std::string>> read_cells(const std::string& name, const 
   return cells;
 }
 
+/// The columns of a table that are named.
+std::vector<std::vector<std::string>> chosen(const std::vector<std::vector<std::string>>& cells, const Json& names,
+                                             const JsonFile& file, const std::string& pointer) {
+  std::vector<std::vector<std::string>> out(cells.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto name = names[k].get<std::string>();
+    const auto found = std::ranges::find(cells.front(), name);
+    if (found == cells.front().end())
+      file.fail(pointer + "/" + std::to_string(k), unknown_name("column", name, cells.front()));
+    const auto column = static_cast<std::size_t>(found - cells.front().begin());
+    for (std::size_t row = 0; row < cells.size(); ++row) out[row].push_back(cells[row][column]);
+  }
+  return out;
+}
+
 DataTable read_data(const JsonFile& file, const std::string& pointer, const Json& value) {
   const std::filesystem::path here = file.file(pointer + "/file");
   const std::string name = (here.parent_path() / value["file"].get<std::string>()).string();
@@ -131,21 +149,44 @@ DataTable read_data(const JsonFile& file, const std::string& pointer, const Json
                   read_text_file(name, std::size_t{16} << 20),
                   {}};
   table.cells = read_cells(name, table.csv);
+  if (value.contains("columns")) table.cells = chosen(table.cells, value["columns"], file, pointer + "/columns");
   return table;
+}
+
+ShapePtr reference_shape() {
+  return named("publication", [] {
+    return object_with_alternatives(
+        {{"cited", array(text(), 1, 20), true, "how captions name it, as \"Walter et al. 2007\"; the first is a link"},
+         {"text", text(), true, "author, title, where and when"},
+         {"doi", text(), false, "its DOI, as 10.1145/2897824.2925943"},
+         {"url", text(), false, "where it is, if it has no DOI"}},
+        {{"doi"}, {"url"}});
+  });
+}
+
+plot::Reference read_reference(const Json& value) {
+  return {value["cited"].get<std::vector<std::string>>(), value["text"].get<std::string>(),
+          value.contains("doi") ? "https://doi.org/" + value["doi"].get<std::string>()
+                                : value["url"].get<std::string>()};
 }
 
 } // namespace
 
 ShapePtr report_shape() {
   const ShapePtr entry = object_with_alternatives({{"section", text(), true, "heading under which it stands"},
+                                                   {"number", text(), false, "the paper's own, as \"Fig. 11\""},
                                                    {"figure", text(), false, "path of a figure, relative to this file"},
                                                    {"table", table_shape(), false, "a table of properties"},
                                                    {"data", data_shape(), false, "a table that a CSV file has"}},
                                                   {{"figure"}, {"table"}, {"data"}});
-  return object({{"title", text(), true, "of the page"},
-                 {"introduction", text(), false, "paragraphs, separated by an empty line"},
-                 {"entries", array(entry, 1, 1000), true, "figures and tables, in order"}},
-                true);
+  return object(
+      {{"title", text(), true, "of the page"},
+       {"introduction", text(), false, "paragraphs, separated by an empty line"},
+       {"paper", text(), false, "how captions name the paper whose numbers entries have; others get R1, R2, …"},
+       {"references", array(reference_shape(), 1, 200), false, "publications that captions name"},
+       {"licence", text(), false, "under which the page may be used"},
+       {"entries", array(entry, 1, 1000), true, "figures and tables, in order"}},
+      true);
 }
 
 ReportFile load_report(const std::string& path) {
@@ -157,12 +198,17 @@ ReportFile load_report(const std::string& path) {
   ReportFile report{std::filesystem::path(path).stem().string(),
                     root["title"].get<std::string>(),
                     root.value("introduction", ""),
-                    {}};
+                    {},
+                    root.value("paper", ""),
+                    {},
+                    root.value("licence", "")};
+  if (root.contains("references"))
+    for (const Json& reference : root["references"]) report.references.push_back(read_reference(reference));
   std::set<std::string> ids;
   for (std::size_t k = 0; k < root["entries"].size(); ++k) {
     const Json& entry = root["entries"][k];
     const std::string pointer = "/entries/" + std::to_string(k);
-    ReportEntry out{entry["section"].get<std::string>(), PropertyTableDescription{}, ""};
+    ReportEntry out{entry["section"].get<std::string>(), PropertyTableDescription{}, "", entry.value("number", "")};
     std::string id;
     if (entry.contains("figure")) {
       const std::filesystem::path here = file.file(pointer + "/figure");

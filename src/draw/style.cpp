@@ -123,12 +123,21 @@ void StyleSheet::add_chrome() {
   rule(".bp-grid", "stroke", 4);
   rule(".bp-nan", "fill", 5);
   rule(".bp-hatch", "stroke", 3);
-  rule(".bp-veil", "stroke", 0);
   plain_ += ".bp-halo{stroke:#fff}\n.bp-contour{stroke:#111}\n.bp-no{fill:none}\n";
-  plain_ += ".bp-veil{paint-order:stroke;stroke-width:4;stroke-linejoin:round}\n";
+  plain_ += ".bp-veil{fill-opacity:.8}\n";
+  plain_ += ".bp-line{stroke-linejoin:round}\n.bp-cells{shape-rendering:crispEdges}\n";
 }
 
 std::string StyleSheet::text() const { return plain_ + "@supports (fill:var(--bp-ink)){\n" + themed_ + "}\n"; }
+
+std::string every_rule() {
+  StyleSheet style;
+  style.add_chrome();
+  for (const auto& entry : palette) style.add_colour(std::string(entry.name));
+  for (int step = 0; step <= ramp_steps; ++step) style.add_colour("r" + std::to_string(step));
+  for (const bool diverging : {false, true}) style.add_map(diverging);
+  return style.text();
+}
 
 void append_dark_variables(std::string& css) {
   for (const auto& entry : chrome) append_variable(css, entry.name, entry.dark);

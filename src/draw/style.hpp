@@ -92,6 +92,9 @@ private:
   std::string plain_, themed_;
 };
 
+/// The rules of all colours: one style sheet for all drawings of a page.
+std::string every_rule();
+
 /// Appends `--bp-...` variables with the dark values of all the colours, for a rule of a page's style sheet.
 void append_dark_variables(std::string& css);
 

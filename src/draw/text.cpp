@@ -23,11 +23,12 @@ std::size_t character_length(std::string_view text, std::size_t at) {
   return std::min(length, text.size() - at);
 }
 
-/// Whether the `_` at `at` is part of an identifier such as a file name rather than markup.
+/// Whether the `_` at `at` is part of an identifier such as `v_cavity` rather than markup: one character alone is a
+/// subscript without braces.
 bool joins_identifier(std::string_view label, std::size_t at) {
   if (label[at] != '_' || label[at + 1] == '{') return false;
   if (is_digit(label[at - 1])) return true;
-  const bool word_before = at >= 2 && is_alnum(label[at - 1]) && is_alnum(label[at - 2]);
+  const bool word_before = is_alnum(label[at - 1]);
   const bool word_after = at + 2 < label.size() && is_alnum(label[at + 1]) && is_alnum(label[at + 2]);
   return word_before && word_after;
 }
@@ -84,10 +85,23 @@ constexpr std::array<short, 95> ascii_width = {
     611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635, 615, 352,  635, 634, 278, 278, 579,
     278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592,  525, 636, 337, 636, 838};
 
-/// The width of a character outside ASCII, by its block: combining marks, accented Latin and Greek, symbols.
+/// The same for U+0391 to U+03C9, Α to ω.
+constexpr std::array<short, 57> greek_width = {
+    684, 686, 557, 684, 632, 685, 752, 787, 295, 656, 684, 863, 748, 632, 787, 752, 603, 632, 632,
+    611, 611, 787, 685, 787, 764, 295, 611, 659, 541, 634, 338, 579, 659, 638, 592, 612, 541, 544,
+    634, 612, 338, 589, 592, 636, 559, 558, 612, 602, 635, 587, 634, 602, 579, 660, 578, 660, 837};
+
+/// The width of a character outside ASCII: Greek, or by its block: combining marks, accented Latin, symbols.
 double wide_character_width(std::string_view character) {
   if (character == "°") return 0.5;
   if (character == "·") return 0.318;
+  if (character == "−") return 0.838;
+  constexpr unsigned alpha = 0x391;
+  if (character.size() == 2) {
+    const auto first = static_cast<unsigned char>(character[0]), second = static_cast<unsigned char>(character[1]);
+    const unsigned code = (first & 0x1FU) << 6U | (second & 0x3FU);
+    if (code >= alpha && code < alpha + greek_width.size()) return greek_width[code - alpha] / 1000.0;
+  }
   const auto lead = static_cast<unsigned char>(character[0]);
   const auto next = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
   if (lead == 0xCC || (lead == 0xCD && next < 0xB0)) return 0;

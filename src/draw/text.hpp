@@ -36,7 +36,7 @@ void append_tspans(std::string& out, std::string_view label, double size);
 void append_html(std::string& out, std::string_view label);
 
 /// An estimate of the drawn width, in the units of the font size. It errs on the wide side (DejaVu Sans), so that what
-/// fits by this measure fits in every font of the stack.
+/// fits by this measure fits in other fonts too.
 double text_width(std::string_view label, double size, bool bold = false);
 
 /// A label broken into lines and the font size at which they fit.

@@ -1,5 +1,6 @@
 #include "../materials.hpp"
 #include "analysis/integrals.hpp"
+#include "brdf/reflected_moments.hpp"
 
 #include <doctest/doctest.h>
 
@@ -196,4 +197,23 @@ TEST_CASE("terms: what cannot be built is refused with its place") {
   CHECK(error_of(odd).starts_with("/terms: found a mean slope"));
   odd.terms.resize(1);
   CHECK(error_of(odd).empty());
+}
+
+TEST_CASE("terms: several weights in one pass are each in a pass of its own") {
+  const Material m = build(paint());
+  std::vector<const WeightedTerm*> terms;
+  for (const WeightedTerm& term : m.terms) terms.push_back(&term);
+  const std::vector<LightWeight> weights = {[](const Direction& i) { return i.x; },
+                                            [](const Direction& i) { return i.z; }, every_direction};
+  for (const double theta : {0.0, 0.7, 1.5})
+    for (const std::size_t channel : {0U, 2U}) {
+      const Direction o = from_angles(theta, 0);
+      const ColourEstimate all = reflected_moments(terms, o, 1e-8, channel, weights);
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        const Estimate one = reflected_light(terms, o, 1e-8, {channel, 1}, weights[k]).channel(0);
+        CAPTURE(theta);
+        CHECK(all.error[k] <= 1e-8);
+        CHECK(std::fabs(all.value[k] - one.value) <= all.error[k] + one.error);
+      }
+    }
 }

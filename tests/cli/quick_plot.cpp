@@ -23,6 +23,26 @@ std::vector<std::string> series_of(const std::string& csv) {
 
 } // namespace
 
+TEST_CASE("figures are laid out for paper, whatever the format") {
+  const Folder folder;
+  write_materials(folder);
+  const std::string draw = "brdfplot plot rough.json -q g1 ";
+  check_output(folder, draw + "--width 84mm -o a.svg");
+  const std::string svg = folder.read("a.svg");
+  // The numbers at the axes have 12 units, which are 8 points of 25.4/72 mm.
+  CHECK(svg.find(" width=\"84mm\" ") != std::string::npos);
+  CHECK(svg.find(" viewBox=\"0 0 357.17 ") != std::string::npos);
+  check_output(folder, draw + "--width acm --font-size 6pt -o b.svg --no-title");
+  CHECK(folder.read("b.svg").find(" width=\"84.7mm\" ") != std::string::npos);
+  CHECK(folder.read("b.svg").find(" viewBox=\"0 0 480.19 ") != std::string::npos);
+  CHECK(svg.find("bp-title") != std::string::npos);
+  CHECK(folder.read("b.svg").find("bp-title") == std::string::npos);
+  check_output(folder, draw + "--width nature-page -o folder");
+  CHECK(folder.read("folder/rough_g1.svg").find(" width=\"183mm\" ") != std::string::npos);
+  check_output(folder, draw + "--width 84mm -o a.pdf");
+  CHECK(folder.read("a.pdf").find("/FontFile") != std::string::npos); // of every font, one is enough to see
+}
+
 TEST_CASE("one line draws a quantity of a material: lobes and curves, in every format") {
   const Folder folder;
   write_materials(folder);
@@ -95,8 +115,12 @@ TEST_CASE("wrong words of a quick figure") {
               {"nothing is left to sweep for g2"});
   check_error(folder, "brdfplot plot rough.json -q g1 --at alhpa=1 -o a.svg", 2, {"alhpa"});
   check_error(folder, "brdfplot plot rough.json -q g1 --x theta_o=1 -o a.svg", 2, {"--x", "VARIABLE=FROM:TO"});
-  check_error(folder, "brdfplot plot rough.json -q g1 --width 84mm -o a.svg", 2, {"--width", "FILE.png or FILE.pdf"});
-  check_error(folder, "brdfplot plot rough.json -q g1 --width wide -o a.png", 2, {"--width", "\"wide\""});
+  check_error(folder, "brdfplot plot rough.json -q g1 --width 84mm -o a.csv", 2, {"--width", "FILE.svg, .png or .pdf"});
+  check_error(folder, "brdfplot plot rough.json -q g1 --no-title --save a.json", 2, {"--no-title", "FILE.svg"});
+  check_error(folder, "brdfplot plot rough.json -q g1 --width wide -o a.png", 2, {"--width", "\"wide\"", "ieee"});
+  check_error(folder, "brdfplot plot rough.json -q g1 --font-size 9pt -o a.png", 2, {"--font-size", "--width"});
+  check_error(folder, "brdfplot plot rough.json -q g1 --width acm --font-size 0pt -o a.png", 2,
+              {"--font-size", "\"0pt\""});
   check_error(folder, "brdfplot plot rough.json -o a.svg", 2, {"rough.json", "-q"});
   check_error(folder, "brdfplot plot -q g1 -o a.svg", 2, {"a material is missing"});
   check_error(folder, R"(brdfplot plot -m '{"distribution": {"type": "gxg"}}' -q g1 -o a.svg)", 2,

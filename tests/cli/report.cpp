@@ -39,9 +39,9 @@ TEST_CASE("the folder of a report") {
   write_report(folder);
   CHECK(check_output(folder, "brdfplot report report.json -o out") == "");
   CHECK(folder.list("out") == std::vector<std::string>{"figures", "index.html", "report.json", "tables"});
-  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
-  CHECK(folder.list("out/tables") ==
-        std::vector<std::string>{"measured.csv", "measured.md", "properties.csv", "properties.md"});
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.json", "curve.svg"});
+  CHECK(folder.list("out/tables") == std::vector<std::string>{"measured.csv", "measured.json", "measured.md",
+                                                              "properties.csv", "properties.json", "properties.md"});
   CHECK(folder.read("out/tables/measured.csv") == folder.read("data.csv"));
   CHECK(folder.read("out/tables/measured.md") ==
         "# Measured\n\nElsewhere.\n\n| function | error |\n| --- | --- |\n| f | 0.5 |\n");
@@ -65,6 +65,12 @@ TEST_CASE("the folder of a report") {
   CHECK(markdown.find("| smith | ggx | ✓ ") != std::string::npos);
   CHECK(markdown.find("| implicit | ggx | ✗ ") != std::string::npos);
   CHECK(markdown.find('{') == std::string::npos);
+
+  // As the paper has it first: a row for each masking function.
+  CHECK(markdown.find("| masking | Eq. 14 |") < markdown.find("| masking | distribution |"));
+  CHECK(markdown.find("| smith | ✓ ") != std::string::npos);
+  CHECK(markdown.find("| implicit | ✗ ") != std::string::npos);
+  CHECK(folder.read("out/figures/curve.json") == curve);
 
   const auto record = nlohmann::json::parse(folder.read("out/report.json"));
   REQUIRE(record.at("entries").size() == 3);
@@ -258,13 +264,14 @@ TEST_CASE("a report removes what it wrote earlier, and nothing else") {
   write_report(folder);
   fs::create_directories(folder.path() / "out/figures/kept.svg");
   fs::create_directories(folder.path() / "out/tables");
-  for (const char* name : {"out/figures/old.svg", "out/figures/old.csv", "out/tables/old.md", "out/figures/notes.txt",
-                           "out/mine.csv", "out/figures/curve.csv"})
+  for (const char* name : {"out/figures/old.svg", "out/figures/old.csv", "out/figures/old.json", "out/tables/old.md",
+                           "out/figures/notes.txt", "out/mine.csv", "out/figures/curve.csv"})
     folder.write(name, "old");
   check_output(folder, "brdfplot report report.json -o out");
-  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg", "kept.svg", "notes.txt"});
-  CHECK(folder.list("out/tables") ==
-        std::vector<std::string>{"measured.csv", "measured.md", "properties.csv", "properties.md"});
+  CHECK(folder.list("out/figures") ==
+        std::vector<std::string>{"curve.csv", "curve.json", "curve.svg", "kept.svg", "notes.txt"});
+  CHECK(folder.list("out/tables") == std::vector<std::string>{"measured.csv", "measured.json", "measured.md",
+                                                              "properties.csv", "properties.json", "properties.md"});
   CHECK(folder.has("out/mine.csv"));
   CHECK(folder.read("out/figures/curve.csv") != "old");
 }
@@ -279,7 +286,7 @@ TEST_CASE("a report that fails leaves the folder as it was") {
   folder.write("curve.json", broken);
   check_error(folder, "brdfplot report report.json -o out", 2, {"omega_i"});
   CHECK(folder.read("out/index.html") == page);
-  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.json", "curve.svg"});
 }
 
 TEST_CASE("a report that cannot be written whole leaves the old one") {
@@ -293,7 +300,7 @@ TEST_CASE("a report that cannot be written whole leaves the old one") {
   check_error(folder, "brdfplot report report.json -o out", 3, {"out/tables/properties.md: cannot write: "});
   for (const char* name : {"figures/curve.svg", "figures/curve.csv", "report.json", "index.html"})
     CHECK(folder.read("out/" + std::string(name)) == "as it was");
-  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.svg"});
+  CHECK(folder.list("out/figures") == std::vector<std::string>{"curve.csv", "curve.json", "curve.svg"});
 }
 
 TEST_CASE("manifests that are wrong") {
@@ -306,7 +313,46 @@ TEST_CASE("manifests that are wrong") {
   folder.write("c.json", R"({"title": "x", "entries": [{"section": "s", "figure": "curve.json"},
                                                      {"section": "s", "figure": "curve.json"}]})");
   check_error(folder, "brdfplot report c.json -o out", 2, {"c.json: /entries/1", "\"curve\""});
+  folder.write("d.json",
+               R"({"title": "x", "entries": [{"section": "s", "data": {"id": "m", "title": "M", "caption": "C",
+    "file": "data.csv", "columns": ["function", "errors"]}}]})");
+  check_error(folder, "brdfplot report d.json -o out", 2,
+              {"d.json: /entries/0/data/columns/1", "\"errors\"", "\"error\""});
+  folder.write("e.json", R"({"title": "x", "references": [{"cited": ["Me"], "text": "Me, 2014"}],
+    "entries": [{"section": "s", "figure": "curve.json"}]})");
+  check_error(folder, "brdfplot report e.json -o out", 2, {"e.json: /references/0", "doi", "url"});
   CHECK_FALSE(folder.has("out"));
+}
+
+TEST_CASE("numbers that are a paper's, references, a licence, and the columns of a table that are shown") {
+  const Folder folder;
+  write_report(folder);
+  folder.write("report.json", R"({"title": "x", "paper": "Me 2014", "licence": "Free.",
+    "references": [{"cited": ["Me 2014"], "text": "Me: On x.", "doi": "10.1/2"}],
+    "entries": [{"section": "s", "figure": "curve.json", "number": "Fig. 7"},
+      {"section": "s", "data": {"id": "m", "title": "M", "caption": "Of Me 2014.", "file": "data.csv", "columns": ["error"]}}]})");
+  check_output(folder, "brdfplot report report.json -o out");
+  const std::string page = folder.read("out/index.html");
+  for (const char* text :
+       {"<span class=\"number\">Fig. 7.</span>", "<strong>Fig. 7.</strong> One.", "<strong>Table R1.</strong>",
+        "Of <a href=\"#reference-1\">Me 2014</a>.", "href=\"https://doi.org/10.1/2\"", "<br>Free.</footer>",
+        "<th scope=\"col\" class=\"num\">error</th></tr>"})
+    CHECK_MESSAGE(page.find(text) != std::string::npos, text);
+  CHECK(page.find("Figure 1") == std::string::npos);
+  CHECK(folder.read("out/tables/m.csv") == folder.read("data.csv"));
+}
+
+TEST_CASE("the JSON beside a figure stands by itself: what it refers to is in it") {
+  const Folder folder;
+  write_report(folder);
+  folder.write("ggx.json", R"({"distribution": {"type": "ggx", "alpha": 0.5}})");
+  std::string refers = curve;
+  const std::string inline_material = R"({"distribution": {"type": "ggx", "alpha": 0.5}})";
+  refers.replace(refers.find(inline_material), inline_material.size(), R"({"$ref": "ggx.json"})");
+  folder.write("curve.json", refers);
+  check_output(folder, "brdfplot report report.json -o out");
+  check_output(folder, "brdfplot plot out/figures/curve.json -o again");
+  CHECK(folder.read("again/curve.csv") == folder.read("out/figures/curve.csv"));
 }
 
 TEST_CASE("Ctrl-C during the built-in report") {

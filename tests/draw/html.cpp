@@ -46,8 +46,8 @@ Page page() {
 } // namespace
 
 TEST_CASE("the page is well-formed, and all ids on it differ") {
-  CHECK(plot_tests::fault_of(to_html(page()), {"meta", "link", "br"}) == "");
-  CHECK(plot_tests::fault_of(to_html(Page{}), {"meta", "link", "br"}) == "");
+  CHECK(plot_tests::fault_of(to_html(page()), {"meta", "link", "br", "wbr"}) == "");
+  CHECK(plot_tests::fault_of(to_html(Page{}), {"meta", "link", "br", "wbr"}) == "");
 }
 
 TEST_CASE("the page needs nothing from outside") {
@@ -80,16 +80,57 @@ TEST_CASE("text of the page is escaped, and markup of labels becomes sub and sup
   CHECK(count(html, "<td>&lt;b&gt;</td><td class=\"num\">2e-3</td>") == 1);
 }
 
-TEST_CASE("data can be downloaded from the page") {
+TEST_CASE("the page holds each thing once: drawings without their style, data deflated, links to the files beside it") {
   Page small;
   PageEntry entry;
   entry.id = "a";
   entry.csv = "x,y\n1,2\n";
-  entry.svg = "<svg/>";
-  small.entries.push_back(entry);
+  entry.json = "{}";
+  entry.stem = "figures/a";
+  entry.svg = to_svg(plot_tests::lines_figure());
+  small.entries = {entry, entry};
   const auto html = to_html(small);
-  CHECK(count(html, "download=\"a.csv\" href=\"data:text/csv;charset=utf-8;base64,eCx5CjEsMgo=\"") == 1);
-  CHECK(count(html, "download=\"a.svg\" href=\"data:image/svg+xml;base64,PHN2Zy8+\"") == 1);
+  CHECK(count(html, ".bp-halo{") == 1);
+  CHECK(count(html, "<style") == 2); // of the page and of the drawings
+  CHECK(count(html, "<script class=\"csv\" type=\"text/plain\">eJ") == 2);
+  for (const char* kind : {"svg", "csv", "json"}) {
+    const std::string name(kind);
+    CHECK(count(html, "<a data-file=\"" + name + "\" download href=\"figures/a." + name + "\">") == 2);
+  }
+  CHECK(count(html, "data-enlarge hidden") == 2);
+  small.entries[1].stem.clear(); // no files beside the page: a script makes them
+  CHECK(count(to_html(small), "<a data-file=\"csv\" hidden download href=\"a.csv\">") == 1);
+}
+
+TEST_CASE("numbers are the paper's, or the page's beside them") {
+  Page of_paper = page();
+  of_paper.paper = "Me 2014";
+  of_paper.entries[1].number = "Fig. 2";
+  of_paper.entries[1].caption = "Me 2014, Fig. 2: lobes.";
+  of_paper.references = {{{"Me 2014"}, "Me: On x_1.", "https://doi.org/10.1/2"}, {{"Me"}, "Me.", "https://a.b/?c&d"}};
+  const auto html = to_html(of_paper);
+  CHECK(plot_tests::fault_of(html, {"meta", "link", "br", "wbr"}) == "");
+  CHECK(count(html, "<strong><a href=\"#reference-1\">Me 2014</a>, Fig. 2</strong>: lobes.") == 1);
+  CHECK(count(html, "<strong>Figure R2.</strong>") == 1);
+  CHECK(count(html, "<strong>Table R1.</strong>") == 1);
+  CHECK(count(html, "<span class=\"number\">Fig. 2.</span>") == 1);
+  CHECK(count(html, "<li id=\"reference-1\">Me: On x<sub>1</sub>. <a href=\"https://doi.org/10.1/2\">") == 1);
+  CHECK(count(html, "href=\"https://a.b/?c&amp;d\"") == 1);
+}
+
+TEST_CASE("names in tables keep their underscores, and may be broken there") {
+  Page named = page();
+  named.entries.back().table = {{"masking", "x"}, {"v_cavity", "1"}, {"student\\_t", "2"}};
+  const auto html = to_html(named);
+  CHECK(count(html, "<td>v_<wbr>cavity</td>") == 1);
+  CHECK(count(html, "<td>student_<wbr>t</td>") == 1);
+}
+
+TEST_CASE("a table that is a summary has its rows to unfold") {
+  Page folded = page();
+  folded.entries.back().all_rows = {{"check"}, {"a"}, {"b"}};
+  CHECK(count(to_html(folded), "<details class=\"rows\"><summary>All 2 rows</summary>") == 1);
+  CHECK(count(to_html(page()), "class=\"rows\"") == 0);
 }
 
 TEST_CASE("the page has light, dark, narrow and print styles") {

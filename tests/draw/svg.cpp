@@ -5,6 +5,7 @@
 #include <string>
 
 #include "draw/figures.hpp"
+#include "draw/layout.hpp"
 #include "draw/markup.hpp"
 #include "draw/model.hpp"
 
@@ -169,4 +170,70 @@ TEST_CASE("figures without usable data are drawn all the same") {
     for (auto& panel : figure.panels) panel.series.clear();
     CHECK(fault_of(to_svg(figure)) == "");
   }
+}
+
+TEST_CASE("a drawing says what a page needs to read it and to hide its series") {
+  const auto lines = to_svg(plot_tests::lines_figure());
+  CHECK(count(lines, "<g class=\"bp-panel\" data-kind=\"lines\" data-plot=\"") == 2);
+  CHECK(count(lines, " data-x=\"0 1.5707963267948966 degrees linear\" data-x-label=\"θ&lt;sub&gt;o&lt;/sub&gt;\"") ==
+        2);
+  CHECK(count(lines, "<g class=\"bp-entry\" data-key=\"s0.0\">") == 1);
+  CHECK(count(lines, " data-key=\"s0.0\"") == 3); // and a path in each panel
+  const auto map = to_svg(plot_tests::heatmap_figure());
+  CHECK(count(map, " data-panel=\"\" data-columns=\"x,y\"") == 1);
+  CHECK(count(map, "<g class=\"bp-entry\">") == 1); // cells without value belong to no series
+  CHECK(count(to_svg(plot_tests::polar_figure()), "data-kind=\"polar\"") == 1);
+}
+
+TEST_CASE("on paper text keeps its size, and panels stand in as many columns as have room") {
+  Layout paper;
+  paper.width_mm = 84;
+  const auto figure = plot_tests::lines_figure();
+  const auto svg = to_svg(figure, paper);
+  CHECK(fault_of(svg) == "");
+  CHECK(svg.find(" width=\"84mm\" height=\"") != std::string::npos);
+  CHECK(svg.find(" viewBox=\"0 0 357.17 ") != std::string::npos);
+  const auto left_of = [&](const std::string& drawing, int panel) {
+    std::size_t at = 0;
+    for (int k = 0; k <= panel; ++k) at = drawing.find("data-plot=\"", at) + 11;
+    return std::stod(drawing.substr(at));
+  };
+  CHECK(left_of(to_svg(figure), 1) > left_of(to_svg(figure), 0));
+  CHECK(left_of(svg, 1) == left_of(svg, 0)); // below it
+  CHECK(count(svg, "font-size=\"12\"") > 0);
+  paper.font_pt = 4;
+  CHECK(left_of(to_svg(figure, paper), 1) > left_of(to_svg(figure, paper), 0));
+  paper.title = false;
+  CHECK(count(to_svg(figure, paper), "bp-title") == 0);
+  CHECK(count(to_svg(figure, paper), "Masking G_1 &lt;of&gt; A &amp; B</title>") == 1); // for those who do not see it
+}
+
+TEST_CASE("a shared bar stands where it does, whatever room there is") {
+  auto figure = plot_tests::heatmap_figure();
+  for (int k = 0; k < 3; ++k) figure.panels.push_back(figure.panels[0]);
+  figure.panels[2].grid->value[0] = figure.panels[3].grid->value[0] = 7;
+  figure.columns = 2;
+  figure.share = Share::rows;
+  Layout paper;
+  paper.width_mm = 84;
+  const auto bars = [](const std::string& svg) { return count(svg, ">v</text>"); };
+  CHECK(bars(to_svg(figure)) == 2);
+  CHECK(bars(to_svg(figure, paper)) == 4); // one column: each row is one panel
+}
+
+TEST_CASE("a label of several parts begins where it has to: some renderers anchor each part by itself") {
+  const auto svg = to_svg(plot_tests::lines_figure());
+  for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
+    const auto text = svg.substr(at, svg.find("</text>", at) - at);
+    CAPTURE(text);
+    CHECK((text.find("<tspan") == std::string::npos || text.find("text-anchor") == std::string::npos));
+  }
+}
+
+TEST_CASE("labels over lines have a box under them, no outline: renderers that paint it over the text hide the text") {
+  auto figure = plot_tests::polar_figure();
+  figure.panels[0].arrows[0].theta = 3; // a full disc, whose labels lie in it
+  const auto svg = to_svg(figure);
+  CHECK(count(svg, "paint-order") == 0);
+  CHECK(count(svg, "<rect class=\"bp-bg bp-veil\"") > 3);
 }

@@ -42,10 +42,12 @@ TEST_CASE("markup is split into runs") {
 }
 
 TEST_CASE("underscores that are no markup stay") {
-  for (const char* label : {"heitz2014_x", "white_furnace", "_x", "a _b", "a_", "a_ b", "^", "x^"}) {
+  for (const char* label :
+       {"heitz2014_x", "white_furnace", "v_cavity", "of v_cavity.", "r_xy", "_x", "a _b", "a_", "a_ b", "^", "x^"}) {
     CAPTURE(label);
     CHECK(parse_markup(label) == Runs{{label, Level::base}});
   }
+  CHECK(parse_markup("E_o(θ_o)")[1] == Run{"o", Level::sub});
   CHECK(parse_markup("a\\_b\\^c") == Runs{{"a_b^c", Level::base}});
   CHECK(parse_markup("log_2 n")[1] == Run{"2", Level::sub});
   CHECK(parse_markup("heitz2014_{x}")[1] == Run{"x", Level::sub});
@@ -79,6 +81,8 @@ TEST_CASE("widths grow with the text and do not count markup") {
   CHECK(text_width("WWW", 10) > text_width("iii", 10));
   CHECK(text_width("abc", 10, true) > text_width("abc", 10));
   CHECK(text_width("", 10) == 0);
+  CHECK(text_width("ω", 10) == doctest::Approx(8.37)); // as DejaVu Sans has it
+  CHECK(text_width("Λ", 10) == doctest::Approx(6.84));
 }
 
 TEST_CASE("long labels are wrapped, shrunk, and cut only where nothing else helps") {

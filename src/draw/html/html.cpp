@@ -8,15 +8,21 @@
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "draw/base64.hpp"
+#include "draw/deflate.hpp"
+#include "draw/html/cite.hpp"
 #include "draw/html/page.hpp"
+#include "draw/html/script.hpp"
 #include "draw/html/style.hpp"
+#include "draw/html/table.hpp"
+#include "draw/style.hpp"
 #include "draw/text.hpp"
 
 namespace brdfplot::plot {
 
 namespace {
 
-/// An entry with its caption's name and number ("Figure 3").
+/// An entry with its caption's name and number: "Fig. 11" of a paper, or the page's "Figure 3", "Figure R3" beside a
+/// paper's.
 struct Numbered {
   const PageEntry* entry = nullptr;
   std::string name;
@@ -30,8 +36,12 @@ std::vector<Numbered> number_entries(const Page& page) {
   std::vector<Numbered> numbered;
   for (const auto& entry : page.entries) {
     const bool table = is_table(entry);
-    const int number = table ? ++tables : ++figures;
-    numbered.push_back({&entry, (table ? "Table " : "Figure ") + std::to_string(number)});
+    if (!entry.number.empty()) {
+      numbered.push_back({&entry, entry.number});
+      continue;
+    }
+    const std::string number = (page.paper.empty() ? "" : "R") + std::to_string(table ? ++tables : ++figures);
+    numbered.push_back({&entry, (table ? "Table " : "Figure ") + number});
   }
   return numbered;
 }
@@ -63,11 +73,14 @@ void append_contents(std::string& out, const Page& page, const std::vector<Numbe
     }
     out += "<li>";
     append_link(out, numbered[i].entry->id);
-    out += "<span class=\"number\">" + numbered[i].name + ".</span> ";
+    out += "<span class=\"number\">";
+    append_escaped(out, numbered[i].name);
+    out += ".</span> ";
     append_html(out, numbered[i].entry->title);
     out += "</a></li>\n";
   }
   if (!numbered.empty()) out += "</ol></li>\n";
+  if (!page.references.empty()) out += "<li><a href=\"#references\">References</a></li>\n";
   // Without scripts the contents simply start unfolded on phones too.
   out += "</ol></details></nav>\n<script>if(matchMedia('(max-width:60rem)').matches)"
          "document.querySelector('.toc details').open=false</script>\n";
@@ -83,62 +96,44 @@ void append_sentence(std::string& out, std::string_view text) {
   if (text.find_last_of(".!?") != text.size() - 1) out += '.';
 }
 
-void append_caption(std::string& out, const Numbered& numbered) {
+/// "Fig. 11." before the caption; where that begins with "Heitz 2014, Fig. 11", these words are it.
+void append_caption(std::string& out, const Page& page, const Numbered& numbered) {
   const auto& entry = *numbered.entry;
-  out += "<figcaption><strong>" + numbered.name + ".</strong>";
+  std::string_view caption = entry.caption;
+  const std::string named = page.paper + ", " + numbered.name;
+  const bool names_itself = !page.paper.empty() && !entry.number.empty() && caption.starts_with(named);
+  out += "<figcaption><strong>";
+  if (names_itself) {
+    append_cited(out, named, page.references);
+    caption.remove_prefix(named.size());
+  } else {
+    append_escaped(out, numbered.name);
+    out += '.';
+  }
   if (!entry.title.empty() && caption_needs_title(entry)) {
-    out += " <strong>";
-    append_sentence(out, entry.title);
-    out += "</strong>";
+    out += names_itself ? ": " : "</strong> <strong>";
+    if (names_itself) append_html(out, entry.title);
+    if (!names_itself) append_sentence(out, entry.title);
   }
-  if (!entry.caption.empty()) {
-    out += ' ';
-    append_html(out, entry.caption);
-  }
+  out += "</strong>";
+  if (!caption.empty() && !names_itself) out += ' ';
+  append_cited(out, caption, page.references);
   out += "</figcaption>\n";
 }
 
-void append_row(std::string& out, const std::vector<std::string>& row, const std::vector<bool>& numeric, bool header) {
-  out += "<tr>";
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    out += header ? "<th scope=\"col\"" : "<td";
-    if (i < numeric.size() && numeric[i]) out += " class=\"num\"";
-    out += '>';
-    append_html(out, row[i]);
-    out += header ? "</th>" : "</td>";
-  }
-  out += "</tr>\n";
+/// The drawing without its style sheet, which is the page's.
+std::string unstyled(const std::string& svg) {
+  constexpr std::string_view begin = "<style>", end = "</style>\n";
+  const std::size_t from = svg.find(begin), to = svg.find(end);
+  return from == std::string::npos || to == std::string::npos ? svg : svg.substr(0, from) + svg.substr(to + end.size());
 }
 
-/// The columns that hold numbers only, to be set flush right.
-std::vector<bool> numeric_columns(const std::vector<std::vector<std::string>>& table) {
-  std::vector<bool> numeric(table.front().size(), table.size() > 1);
-  for (std::size_t r = 1; r < table.size(); ++r) {
-    for (std::size_t c = 0; c < numeric.size(); ++c) {
-      const bool number = c < table[r].size() && parse_number(table[r][c]).has_value();
-      if (!number) numeric[c] = false;
-    }
-  }
-  return numeric;
-}
-
-void append_table(std::string& out, const std::vector<std::vector<std::string>>& table) {
-  const auto numeric = numeric_columns(table);
-  out += "<div class=\"scroll\" tabindex=\"0\"><table>\n<thead>";
-  append_row(out, table.front(), numeric, true);
-  out += "</thead>\n<tbody>\n";
-  for (std::size_t r = 1; r < table.size(); ++r) append_row(out, table[r], numeric, false);
-  out += "</tbody></table></div>\n";
-}
-
-void append_download(std::string& out, const std::string& file, std::string_view type, std::string_view name,
-                     std::string_view data) {
-  if (data.empty()) return;
-  out += "<a download=\"";
-  append_escaped(out, file);
-  out.append("\" href=\"data:").append(type).append(";base64,");
-  append_base64(out, data);
-  out.append("\">").append(name).append("</a>\n");
+/// A link to the file beside the page; a script makes the file from the page, which may have been moved. Where there
+/// is no file, the link is for the script to show.
+void append_file(std::string& out, const PageEntry& entry, const std::string& kind, const std::string& name) {
+  out += "<a data-file=\"" + kind + "\"" + (entry.stem.empty() ? " hidden" : "") + " download href=\"";
+  append_escaped(out, (entry.stem.empty() ? entry.id : entry.stem) + "." + kind);
+  out += "\">" + name + "</a>\n";
 }
 
 /// "0.42 s", "3.1 s", "120 s": two digits are enough to know what a figure costs.
@@ -152,26 +147,38 @@ std::string duration(double seconds) {
 
 void append_tools(std::string& out, const PageEntry& entry) {
   out += "<div class=\"tools\">\n";
-  append_download(out, entry.id + ".svg", "image/svg+xml", "Download SVG", entry.svg);
-  append_download(out, entry.id + ".csv", "text/csv;charset=utf-8", "Download CSV", entry.csv);
+  if (!entry.svg.empty()) out += "<button type=\"button\" data-enlarge hidden>Enlarge</button>\n";
+  if (!entry.svg.empty()) append_file(out, entry, "svg", "SVG");
+  if (!entry.csv.empty()) append_file(out, entry, "csv", "CSV");
+  if (!entry.json.empty()) append_file(out, entry, "json", "JSON");
   if (entry.seconds > 0) out += "<span>computed in " + duration(entry.seconds) + "</span>\n";
   out += "</div>\n";
-  if (entry.json.empty()) return;
-  out += "<details class=\"config\"><summary>Configuration</summary><pre>";
-  append_escaped(out, entry.json);
-  out += "</pre></details>\n";
+  if (!entry.json.empty()) {
+    out += "<details class=\"config\"><summary>Configuration</summary><pre>";
+    append_escaped(out, entry.json);
+    out += "</pre></details>\n";
+  }
+  if (entry.csv.empty()) return;
+  out += "<script class=\"csv\" type=\"text/plain\">";
+  append_base64(out, deflated(entry.csv));
+  out += "</script>\n";
 }
 
-void append_entry(std::string& out, const Numbered& numbered) {
+void append_entry(std::string& out, const Page& page, const Numbered& numbered) {
   const auto& entry = *numbered.entry;
   const bool table = is_table(entry);
   out += "<figure id=\"";
   append_escaped(out, entry.id);
   out += table ? "\" class=\"table\">\n" : "\">\n";
-  if (table) append_caption(out, numbered);
+  if (table) append_caption(out, page, numbered);
   if (table) append_table(out, entry.table);
-  if (!entry.svg.empty()) out += "<div class=\"plot\" tabindex=\"0\">\n" + entry.svg + "</div>\n";
-  if (!table) append_caption(out, numbered);
+  if (!entry.all_rows.empty()) {
+    out += "<details class=\"rows\"><summary>All " + std::to_string(entry.all_rows.size() - 1) + " rows</summary>\n";
+    append_table(out, entry.all_rows);
+    out += "</details>\n";
+  }
+  if (!entry.svg.empty()) out += "<div class=\"plot\">\n" + unstyled(entry.svg) + "</div>\n";
+  if (!table) append_caption(out, page, numbered);
   append_tools(out, entry);
   out += "</figure>\n";
 }
@@ -183,6 +190,7 @@ void append_head(std::string& out, const Page& page) {
   append_escaped(out, strip_markup(page.title));
   out += "</title>\n<style>";
   append_page_style(out);
+  out += "</style>\n<style id=\"bp-style\">\n" + every_rule();
   out += "</style>\n</head>\n<body>\n<div class=\"layout\">\n";
 }
 
@@ -196,7 +204,7 @@ void append_introduction(std::string& out, const Page& page) {
     const auto paragraph = text.substr(at, end - at);
     if (paragraph.find_first_not_of(" \n\t") != std::string_view::npos) {
       out += "<p>";
-      append_escaped(out, paragraph);
+      append_cited(out, paragraph, page.references);
       out += "</p>\n";
     }
     at = end + 2;
@@ -206,8 +214,7 @@ void append_introduction(std::string& out, const Page& page) {
 
 std::size_t estimate(const Page& page) {
   std::size_t size = 32768;
-  for (const auto& entry : page.entries)
-    size += 3 * entry.svg.size() + 2 * entry.csv.size() + 2 * entry.json.size() + 4096;
+  for (const auto& entry : page.entries) size += entry.svg.size() + entry.csv.size() + 2 * entry.json.size() + 4096;
   return size;
 }
 
@@ -233,12 +240,19 @@ std::string to_html(const Page& page) {
         out += "</h2>\n";
       }
     }
-    append_entry(out, numbered[i]);
+    append_entry(out, page, numbered[i]);
   }
   if (!numbered.empty()) out += "</section>\n";
+  append_references(out, page.references);
   out += "</main>\n<footer>";
   append_escaped(out, page.footer);
-  out += "</footer>\n</div>\n</body>\n</html>\n";
+  if (!page.licence.empty()) {
+    out += "<br>";
+    append_escaped(out, page.licence);
+  }
+  out += "</footer>\n</div>\n<script>";
+  out += page_script();
+  out += "</script>\n</body>\n</html>\n";
   return out;
 }
 

@@ -15,7 +15,7 @@ html{scroll-behavior:smooth;-webkit-text-size-adjust:100%}
 body{margin:0;background:var(--page);color:var(--text);line-height:1.55;
 font-family:"Helvetica Neue",Helvetica,Arial,"DejaVu Sans",sans-serif}
 a{color:var(--link)}
-sub,sup{font-size:.72em;line-height:0}
+sub,sup{font-size:.72em;line-height:0;white-space:nowrap}
 .layout{display:grid;grid-template-columns:minmax(13rem,17rem) minmax(0,1fr);gap:2.5rem;max-width:75rem;margin:0 auto;
 padding:0 1.5rem}
 header,main,footer{grid-column:2;max-width:48rem;width:100%}
@@ -32,16 +32,33 @@ padding:2.2rem 0 2rem;font-size:.875rem;line-height:1.4}
 .toc .number{color:var(--soft)}
 h2{font-size:1.4rem;line-height:1.25;margin:2.5rem 0 .5rem;padding-top:.5rem;border-top:1px solid var(--line)}
 figure{margin:1.5rem 0 2.5rem;scroll-margin-top:1rem}
-.plot{overflow-x:auto}
 figure svg{display:block;width:100%;height:auto}
 figcaption{font-size:.925rem;margin:.5rem 0;overflow-wrap:anywhere}
 .tools{display:flex;flex-wrap:wrap;gap:.3rem 1rem;font-size:.85rem;color:var(--soft);align-items:baseline}
 details.config{font-size:.85rem;margin-top:.3rem}
 details.config summary{cursor:pointer;color:var(--soft)}
+button{font:inherit;color:inherit;background:var(--panel);border:1px solid var(--line);border-radius:4px;padding:.1rem .6rem;
+cursor:pointer}
+details.rows summary{cursor:pointer;color:var(--soft);font-size:.85rem;padding:.4rem 0}
+.bp-entry[role]{cursor:pointer}
+.bp-faint{opacity:.35}
+.bp-off{display:none}
+.bp-mark{fill:none;stroke:var(--text);stroke-width:1.5;pointer-events:none}
+.tip{position:fixed;z-index:1;pointer-events:none;background:var(--page);color:var(--text);border:1px solid var(--soft);
+border-radius:4px;padding:.25rem .5rem;font-size:.8rem;line-height:1.4;font-variant-numeric:tabular-nums;
+box-shadow:0 1px 5px #0004}
+.large{width:fit-content;max-width:98vw;max-height:98vh;padding:.6rem;overflow:auto;background:var(--page);
+color:var(--text);border:1px solid var(--line);border-radius:6px}
+.large::backdrop{background:#0009}
+.large button{display:block;margin:0 0 .4rem auto}
+.large svg{display:block;width:auto;height:auto;min-width:40rem;max-width:none;
+inline-size:min(95vw,max(62rem,calc((98vh - 4.5rem)*var(--aspect,1.4))))}
+#references li{font-size:.925rem;margin:.35rem 0;overflow-wrap:anywhere}
 pre{background:var(--panel);border:1px solid var(--line);border-radius:4px;padding:.75rem;overflow:auto;max-height:28rem;
+white-space:pre-wrap;overflow-wrap:anywhere;
 font:.8rem/1.45 ui-monospace,"SFMono-Regular",Menlo,Consolas,"DejaVu Sans Mono",monospace}
 .scroll{overflow-x:auto}
-.scroll:focus-visible,.plot:focus-visible{outline:2px solid var(--link)}
+.scroll:focus-visible,.bp-entry:focus-visible{outline:2px solid var(--link)}
 table{border-collapse:collapse;font-size:.875rem;font-variant-numeric:tabular-nums;min-width:100%}
 th,td{padding:.35rem .7rem;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
 th{border-bottom:2px solid var(--soft);white-space:nowrap}
@@ -60,7 +77,10 @@ border:1px solid var(--line);border-radius:4px}
 h2{font-size:1.25rem}
 }
 @media screen and (max-width:36rem){
-figure svg{min-width:33rem}
+table{font-size:.72rem}
+th,td{padding:.25rem .15rem;overflow-wrap:break-word}
+th,th.num{white-space:normal;vertical-align:bottom}
+details.rows table{font-size:.6rem}
 }
 )css";
 
@@ -69,13 +89,13 @@ constexpr std::string_view print = R"css(
 body{font-size:10pt}
 .layout{display:block;max-width:none;padding:0}
 header,main,footer{max-width:none}
-.toc,.tools,details.config{display:none}
+.toc,.tools,details.config,.tip,.bp-mark{display:none}
 figure{break-inside:avoid;margin:.8rem 0 1.4rem}
 figure svg{max-width:17cm;max-height:21cm;margin:0 auto}
 figure.table{break-inside:auto}
 tr{break-inside:avoid}
 thead{display:table-header-group}
-.scroll,.plot{overflow:visible}
+.scroll{overflow:visible}
 h2{break-after:avoid}
 a{color:inherit;text-decoration:none}
 }

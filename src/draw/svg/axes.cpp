@@ -51,12 +51,13 @@ Ticks vertical_ticks(const Axis& axis, const Range& range, double height) {
   return make_ticks(axis, range, std::clamp(static_cast<int>(height / 32), 3, 10));
 }
 
-/// The bar stands beside each panel, or once per row where the row shares its range.
+/// The bar stands beside each panel, or once beside those of a row that share their range.
 bool needs_bar(const Figure& figure, const FigurePlan& plan, std::size_t index) {
   if (plan.panels[index].kind != Kind::heatmap) return false;
   const auto per_row = static_cast<std::size_t>(plan.columns);
   const bool last_in_row = index % per_row == per_row - 1 || index + 1 == plan.panels.size();
-  return figure.share == Share::none || last_in_row || plan.panels[index + 1].kind != Kind::heatmap;
+  return last_in_row || plan.panels[index + 1].kind != Kind::heatmap ||
+         share_group(figure, index) != share_group(figure, index + 1);
 }
 
 /// Names of points need room below each other.
@@ -65,12 +66,13 @@ bool has_names(const Panel& panel) {
 }
 
 void measure_heights(const Figure& figure, FigurePlan& all, std::size_t index) {
-  constexpr double height_for_names = 440;
+  constexpr double height_for_names = 440, least_height = 110;
   const int columns = all.columns;
   PanelPlan& plan = all.panels[index];
   const auto& panel = *plan.panel;
-  const double height =
+  const double usual =
       has_names(panel) && columns == 1 ? height_for_names : plot_height(plan.kind, columns, all.panels.size());
+  const double height = std::max(all.shrink * usual, least_height);
   plan.plot.h = height;
   plan.y_ticks = vertical_ticks(panel.y, plan.y, height);
   const bool first = index % static_cast<std::size_t>(columns) == 0;

@@ -11,6 +11,9 @@ namespace {
 
 constexpr int undefined = -1;
 
+/// Renderers that smooth edges show the page between cells that only touch.
+constexpr double overlap = 0.5;
+
 using ColourPaths = std::array<PathData, map_colours>;
 
 /// The edges of cells around their centres, as places in [0, 1] of the axis: midway between neighbours.
@@ -111,7 +114,9 @@ private:
     const double bottom = plot.bottom() - y_[run.first_row] * plot.h;
     if (right - left < 0.005 || bottom - top < 0.005) return;
     auto& path = run.colour == undefined ? undefined_ : colours_[static_cast<std::size_t>(run.colour)];
-    path.rectangle({left, top, right - left, bottom - top});
+    const double to_right = std::min(right + overlap, plot.right()),
+                 to_bottom = std::min(bottom + overlap, plot.bottom());
+    path.rectangle({left, top, to_right - left, to_bottom - top});
   }
 
   const PanelPlan& plan_;
@@ -128,8 +133,9 @@ void draw_contours(SvgWriter& svg, const PanelPlan& plan) {
   for (std::size_t i = 0; i < plan.panel->contours.size(); ++i) {
     PathData path;
     for (const auto& line : plan.panel->contours[i].lines) append_curve(path, plan, line.x, line.y);
-    svg.path(path, {"bp-no bp-line bp-halo", 4, {}, {}});
-    svg.path(path, {"bp-no bp-line bp-contour", 1.6, dash(plan.looks[i].dash), {}});
+    const std::string key = key_attribute(plan.looks[i]);
+    svg.path(path, {"bp-no bp-line bp-halo", 4, {}, key});
+    svg.path(path, {"bp-no bp-line bp-contour", 1.6, dash(plan.looks[i].dash), key});
   }
   svg.close_group();
 }
@@ -144,7 +150,8 @@ void draw_bar_colours(SvgWriter& svg, const PanelPlan& plan, const Box& bar) {
                              ? plan.value.from * std::pow(plan.value.to / plan.value.from, place)
                              : std::lerp(plan.value.from, plan.value.to, place);
     PathData strip;
-    strip.rectangle({bar.x, bar.bottom() - bar.h * (k + 1) / map_colours, bar.w, bar.h / map_colours});
+    const double top = std::max(bar.bottom() - bar.h * (k + 1) / map_colours - overlap, bar.y);
+    strip.rectangle({bar.x, top, bar.w, bar.bottom() - bar.h * k / map_colours - top});
     svg.path(strip, {prefix + std::to_string(colour_index(plan, value)), 0, {}, {}});
   }
   svg.close_group();

@@ -198,7 +198,9 @@ void draw_legend(SvgWriter& svg, const LegendLayout& legend, Point corner) {
     const double y = at.y + 0.66 * placed.text.size;
     const Point to{at.x + sample_width, y};
     const auto& look = placed.entry.look;
-    if (placed.entry.sample == LegendEntry::Sample::undefined) {
+    const bool series = placed.entry.sample != LegendEntry::Sample::undefined;
+    svg.open_group("bp-entry", series ? key_attribute(look) : std::string());
+    if (!series) {
       svg.rect({at.x, y - 5, sample_width, 10}, "bp-nan");
     } else if (placed.entry.sample == LegendEntry::Sample::dot) {
       PathData dot;
@@ -211,6 +213,7 @@ void draw_legend(SvgWriter& svg, const LegendLayout& legend, Point corner) {
       svg.line({at.x, y}, to, {"bp-no bp-" + look.colour, 2, dash(look.dash), {}});
     }
     svg.lines({at.x + sample_width + sample_gap, at.y}, placed.text, Anchor::start);
+    svg.close_group();
   }
   svg.close_group();
 }

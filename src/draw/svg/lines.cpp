@@ -107,8 +107,8 @@ void draw_measured(SvgWriter& svg, const PanelPlan& plan, const Series& series, 
       bars.line({middle.x + cap, end});
     }
   }
-  svg.path(bars, {"bp-no bp-" + look.colour, 1.2, {}, {}});
-  svg.path(dots, {"bp-f-" + look.colour, 0, {}, {}});
+  svg.path(bars, {"bp-no bp-" + look.colour, 1.2, {}, key_attribute(look)});
+  svg.path(dots, {"bp-f-" + look.colour, 0, {}, key_attribute(look)});
 }
 
 } // namespace
@@ -130,8 +130,9 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
     append_curve(path, plan, series.x, series.y);
     empty = empty && path.empty();
     const bool measured = !series.error.empty();
-    svg.path(path, {"bp-no bp-line bp-" + plan.looks[i].colour, measured ? 1.0 : 2.0, dash(plan.looks[i].dash), {}});
-    if (measured) draw_measured(svg, plan, series, plan.looks[i]);
+    const Look& look = plan.looks[i];
+    svg.path(path, {"bp-no bp-line bp-" + look.colour, measured ? 1.0 : 2.0, dash(look.dash), key_attribute(look)});
+    if (measured) draw_measured(svg, plan, series, look);
   }
   draw_named_points(svg, plan);
   svg.close_group();

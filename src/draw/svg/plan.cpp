@@ -3,6 +3,7 @@
 #include "base/interrupt.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -27,10 +28,21 @@ std::string clean_id(const std::string& id) {
   return out.empty() ? "figure" : out;
 }
 
-/// Which panels' value axes belong together.
-std::size_t share_group(const Figure& figure, std::size_t panel, int columns) {
-  if (figure.share == Share::all) return 0;
-  return figure.share == Share::rows ? panel / static_cast<std::size_t>(columns) : panel;
+/// The width of a page in user units, of which font::tick are as many points as the layout says.
+double page_width(const Layout& layout, int columns) {
+  constexpr double millimetres_per_point = 25.4 / 72;
+  if (layout.width_mm > 0) return layout.width_mm / (layout.font_pt * millimetres_per_point / font::tick);
+  return columns == 1 ? 640 : 720;
+}
+
+/// How many of the columns find room side by side: all, or so many that a row of the figure fills several whole rows.
+int columns_in(Kind kind, double width, int columns) {
+  const int row = columns;
+  constexpr std::array<double, panel_kinds.size()> least = {165, 150, 190, 150, 90}; // in the order of Kind
+  const double each = least[static_cast<std::size_t>(kind)] + column_gap;
+  const int room = static_cast<int>((width - 2 * page_margin + column_gap) / each);
+  while (columns > 1 && (columns > room || row % columns != 0)) --columns;
+  return columns;
 }
 
 /// The data on the axis that panels may share.
@@ -161,9 +173,7 @@ void set_no_range(PanelPlan&, const Extent&, int) {}
 
 void plan_ranges(const Figure& figure, FigurePlan& plan) {
   std::map<std::pair<std::size_t, Kind>, Extent> groups;
-  const auto group = [&](std::size_t i) -> Extent& {
-    return groups[{share_group(figure, i, plan.columns), plan.panels[i].kind}];
-  };
+  const auto group = [&](std::size_t i) -> Extent& { return groups[{share_group(figure, i), plan.panels[i].kind}]; };
   for (std::size_t i = 0; i < plan.panels.size(); ++i)
     group(i).add(value_extent(figure.panels[i], plan.panels[i].kind));
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
@@ -191,15 +201,30 @@ void measure_panels(const Figure& figure, FigurePlan& plan) {
   for (const auto measure : ways) measure(figure, plan, row_width(plan));
 }
 
+/// As many as the kind that needs most room has.
+int columns_of(const Figure& figure, double width, int columns) {
+  int fewest = columns;
+  for (const Panel& panel : figure.panels)
+    fewest = std::min(fewest, columns_in(kind_in(figure, panel), width, columns));
+  return fewest;
+}
+
 } // namespace
 
-FigurePlan plan_figure(const Figure& figure) {
+std::size_t share_group(const Figure& figure, std::size_t panel) {
+  if (figure.share == Share::all) return 0;
+  return figure.share == Share::rows ? panel / static_cast<std::size_t>(std::max(1, figure.columns)) : panel;
+}
+
+FigurePlan plan_figure(const Figure& figure, const Layout& layout) {
   FigurePlan plan;
   plan.id = clean_id(figure.id);
   plan.columns = std::clamp(figure.columns, 1, std::max(1, static_cast<int>(figure.panels.size())));
-  plan.width = plan.columns == 1 ? 640 : 720;
+  plan.width = page_width(layout, plan.columns);
+  if (layout.width_mm > 0) plan.columns = columns_of(figure, plan.width, plan.columns);
+  plan.shrink = std::min(1.0, plan.width / page_width({}, plan.columns));
   const double width = plan.width - 2 * page_margin;
-  plan.title = fit_text(figure.title, font::title, width, 2, true);
+  if (layout.title) plan.title = fit_text(figure.title, font::title, width, 2, true);
   const auto legend = plan_legend(figure);
   plan.legend = lay_out_legend(legend.shared, width);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/layout.hpp"
 #include "draw/model.hpp"
 #include "draw/svg/legend.hpp"
 #include "draw/svg/writer.hpp"
@@ -65,6 +66,7 @@ struct FigurePlan {
   std::string id;
   double width = 0;
   double height = 0;
+  double shrink = 1; ///< of plots beside what they are in a figure for screens
   int columns = 1;
   bool mixed = false; ///< whether panels are measured in several ways; each then has a cell of one width
   FittedText title;
@@ -76,7 +78,10 @@ struct FigurePlan {
 inline constexpr double page_margin = 14;
 
 /// Measures and places all parts of a figure.
-FigurePlan plan_figure(const Figure& figure);
+FigurePlan plan_figure(const Figure& figure, const Layout& layout);
+
+/// Panels that share a range have the same group. Rows are those of the figure, though paper may have no room for them.
+std::size_t share_group(const Figure& figure, std::size_t panel);
 
 /// Whether the panel below, if there is one, is of its kind and has the same axis there, which then is titled once.
 bool repeated_below(const FigurePlan& plan, std::size_t index, Axis Panel::*axis);

@@ -18,7 +18,7 @@ constexpr double name_height = 1.15 * name_size;
 struct NamedPoint {
   Point at;
   std::string name;
-  std::string colour;
+  Look look;
   std::optional<Box> place;
 };
 
@@ -55,7 +55,7 @@ std::vector<NamedPoint> named_points(const PanelPlan& plan) {
     for (std::size_t k = 0; k < std::min({series.names.size(), series.x.size(), series.y.size()}); ++k) {
       const Point at = to_point(plan, series.x[k], series.y[k]);
       if (std::isnan(at.x) || std::isnan(at.y)) continue;
-      points.push_back({at, series.names[k], plan.looks[s].colour, std::nullopt});
+      points.push_back({at, series.names[k], plan.looks[s], std::nullopt});
     }
   }
   return points;
@@ -155,7 +155,7 @@ void draw_dot(SvgWriter& svg, const NamedPoint& point) {
     append_escaped(title, strip_markup(point.name));
     svg.raw(title + "</title>\n");
   }
-  svg.path(dot, {"bp-f-" + point.colour, 0, {}, {}});
+  svg.path(dot, {"bp-f-" + point.look.colour, 0, {}, key_attribute(point.look)});
   if (hidden) svg.close_group();
 }
 
@@ -186,20 +186,23 @@ void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
 void draw_named_points(SvgWriter& svg, const PanelPlan& plan) {
   std::vector<NamedPoint> points = named_points(plan);
   place_names(plan, points);
-  PathData leaders;
   for (const auto& point : points) {
     if (!point.place) continue;
     const Point end = nearest_in(*point.place, point.at);
     if (std::hypot(end.x - point.at.x, end.y - point.at.y) < point_radius + 5) continue;
-    leaders.move(point.at);
-    leaders.line(end);
+    PathData leader;
+    leader.move(point.at);
+    leader.line(end);
+    svg.path(leader, {"bp-no bp-frame", 0.7, {}, key_attribute(point.look)});
   }
-  if (!leaders.empty()) svg.path(leaders, {"bp-no bp-frame", 0.7, {}, {}});
   for (const auto& point : points) draw_dot(svg, point);
-  for (const auto& point : points)
-    if (point.place)
-      svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start,
-               "bp-ink bp-veil");
+  for (const auto& point : points) {
+    if (!point.place) continue;
+    svg.open_group("bp-name", key_attribute(point.look));
+    svg.veil(*point.place);
+    svg.text({point.place->x + 1, point.place->y + 0.8 * name_height}, point.name, name_size, Anchor::start);
+    svg.close_group();
+  }
 }
 
 } // namespace brdfplot::plot

@@ -70,7 +70,7 @@ void draw_band(SvgWriter& svg, const PanelPlan& plan, const Disc& disc, const Se
     points.push_back(disc.at(series.x[k], radius(std::max(lower[k], 0.0))));
   append_polyline(band, points);
   band.close();
-  svg.path(band, {"bp-f-" + look.colour, 0, {}, " fill-opacity=\"0.35\""});
+  svg.path(band, {"bp-f-" + look.colour, 0, {}, " fill-opacity=\"0.35\"" + key_attribute(look)});
 }
 
 void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
@@ -96,8 +96,8 @@ void draw_lobes(SvgWriter& svg, const PanelPlan& plan, const Disc& disc) {
     flush();
     const auto& look = plan.looks[i];
     if (!series.error.empty()) draw_band(svg, plan, disc, series, look);
-    svg.path(path,
-             {"bp-line bp-" + look.colour + " bp-f-" + look.colour, 2, dash(look.dash), " fill-opacity=\"0.07\""});
+    svg.path(path, {"bp-line bp-" + look.colour + " bp-f-" + look.colour, 2, dash(look.dash),
+                    " fill-opacity=\"0.07\"" + key_attribute(look)});
   }
 }
 
@@ -144,7 +144,8 @@ void draw_polar(SvgWriter& svg, const PanelPlan& plan) {
   for (const auto& arrow : plan.panel->arrows) draw_arrow(svg, disc, arrow);
   for (const auto& label : plan.labels) {
     const Point at{disc.centre.x + label.box.x + label.box.w / 2, disc.centre.y + label.box.y + 0.85 * label.size};
-    svg.text(at, label.text, label.size, Anchor::middle, disc.full ? "bp-ink bp-veil" : "bp-ink");
+    if (disc.full) svg.veil({at.x - label.box.w / 2, disc.centre.y + label.box.y, label.box.w, label.box.h});
+    svg.text(at, label.text, label.size, Anchor::middle);
   }
   const double bottom = plan.plot.bottom() + plan.insets.bottom - plan.x_title.height();
   svg.lines({disc.centre.x, bottom}, plan.x_title, Anchor::middle);

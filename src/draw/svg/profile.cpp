@@ -139,16 +139,16 @@ void draw_body(SvgWriter& svg, const PanelPlan& plan) {
 void draw_rays(SvgWriter& svg, const PanelPlan& plan) {
   constexpr double radius = 1.8;
   const auto& sketch = *plan.panel->sketch;
-  const auto draw = [&](const std::vector<Sketch::Line>& rays, const std::string& colour, std::string_view dashes) {
+  const auto draw = [&](const std::vector<Sketch::Line>& rays, const Look& look, std::string_view dashes) {
     PathData begin;
     for (const auto& ray : rays) begin.dot(at(plan, ray.x0, ray.y0), radius);
-    svg.path(path_of(plan, rays), {"bp-no bp-" + colour, 1, dashes, {}});
-    svg.path(begin, {"bp-f-" + colour, 0, {}, {}});
+    svg.path(path_of(plan, rays), {"bp-no bp-" + look.colour, 1, dashes, key_attribute(look)});
+    svg.path(begin, {"bp-f-" + look.colour, 0, {}, key_attribute(look)});
   };
   for (std::size_t k = 0; k < plan.looks.size(); ++k) {
     const auto& label = plan.panel->series[k].label;
-    if (label == "masked") draw(sketch.stopped_rays, plan.looks[k].colour, "4 2.5");
-    if (label.starts_with("visible") && label != "visible, shadowed") draw(sketch.rays, plan.looks[k].colour, {});
+    if (label == "masked") draw(sketch.stopped_rays, plan.looks[k], "4 2.5");
+    if (label.starts_with("visible") && label != "visible, shadowed") draw(sketch.rays, plan.looks[k], {});
   }
 }
 
@@ -179,7 +179,7 @@ void draw_parts(SvgWriter& svg, const PanelPlan& plan) {
     PathData path;
     append_curve(path, plan, series.x, series.y);
     const double width = series.label.starts_with("visible") ? 2.6 : 1.7;
-    svg.path(path, {"bp-no bp-line bp-" + plan.looks[k].colour, width, {}, {}});
+    svg.path(path, {"bp-no bp-line bp-" + plan.looks[k].colour, width, {}, key_attribute(plan.looks[k])});
   }
 }
 
@@ -189,8 +189,9 @@ void draw_projection(SvgWriter& svg, const PanelPlan& plan) {
   for (std::size_t first = 0; first < std::min<std::size_t>(lines.size(), 2); ++first) {
     std::vector<Sketch::Line> every_other;
     for (std::size_t k = first; k < lines.size(); k += 2) every_other.push_back(lines[k]);
+    const Look& look = plan.looks.front();
     svg.path(path_of(plan, every_other),
-             {"bp-no bp-" + plan.looks.front().colour, 6, {}, first == 0 ? "" : " stroke-opacity=\"0.5\""});
+             {"bp-no bp-" + look.colour, 6, {}, (first == 0 ? "" : " stroke-opacity=\"0.5\"") + key_attribute(look)});
   }
 }
 
@@ -251,7 +252,8 @@ void draw_profile(SvgWriter& svg, const PanelPlan& plan) {
   for (const auto& label : plan.labels) {
     const Point middle{plan.plot.x + label.box.x + label.box.w / 2,
                        plan.plot.bottom() + label.box.y + 0.85 * label.size};
-    svg.text(middle, label.text, label.size, Anchor::middle, "bp-ink bp-veil");
+    svg.veil({plan.plot.x + label.box.x, plan.plot.bottom() + label.box.y, label.box.w, label.box.h});
+    svg.text(middle, label.text, label.size, Anchor::middle);
   }
 }
 

@@ -5,22 +5,29 @@
 #include "base/interrupt.hpp"
 #include "draw/number_text.hpp"
 #include "draw/svg/plan.hpp"
+#include "draw/svg/reading.hpp"
 
 namespace brdfplot::plot {
 
 namespace {
 
-constexpr std::string_view font_stack = "'Helvetica Neue',Helvetica,Arial,'DejaVu Sans',sans-serif";
+/// The font by which text is measured, so that the same text is the same picture; where it is not, one of its widths.
+constexpr std::string_view font = "DejaVu Sans,Verdana,sans-serif";
 
-void append_root(std::string& out, const FigurePlan& plan) {
-  std::string width;
-  std::string height;
-  append_fixed(width, plan.width);
-  append_fixed(height, plan.height);
+std::string fixed(double value) {
+  std::string text;
+  append_fixed(text, value);
+  return text;
+}
+
+void append_root(std::string& out, const FigurePlan& plan, const Layout& layout) {
+  const std::string box = fixed(plan.width) + " " + fixed(plan.height);
+  const double millimetres = layout.width_mm / plan.width;
+  const std::string width = millimetres > 0 ? fixed(layout.width_mm) + "mm" : fixed(plan.width);
+  const std::string height = millimetres > 0 ? fixed(millimetres * plan.height) + "mm" : fixed(plan.height);
   out += "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + width + "\" height=\"" + height +
-         "\" viewBox=\"0 0 " + width + " " + height + "\" aria-labelledby=\"" + plan.id + "-title " + plan.id +
-         "-desc\" font-family=\"";
-  out.append(font_stack).append("\">\n");
+         "\" viewBox=\"0 0 " + box + "\" aria-labelledby=\"" + plan.id + "-title " + plan.id + "-desc\" font-family=\"";
+  out.append(font).append("\">\n");
 }
 
 void append_description(std::string& out, const Figure& figure, const FigurePlan& plan) {
@@ -44,8 +51,7 @@ void append_style(std::string& out, const FigurePlan& plan) {
     const auto uses = [&](const PanelPlan& p) { return p.panel->grid && is_diverging(p) == diverging; };
     if (std::any_of(plan.panels.begin(), plan.panels.end(), uses)) style.add_map(diverging);
   }
-  out +=
-      "<style>\n" + style.text() + ".bp-line{stroke-linejoin:round}\n.bp-cells{shape-rendering:crispEdges}\n</style>\n";
+  out += "<style>\n" + style.text() + "</style>\n";
 }
 
 void draw_head(SvgWriter& svg, const PanelPlan& panel) {
@@ -57,11 +63,11 @@ void draw_head(SvgWriter& svg, const PanelPlan& panel) {
 }
 
 /// A figure of which all panels are drawn.
-std::string draw_figure(const Figure& figure) {
-  const auto plan = plan_figure(figure);
+std::string draw_figure(const Figure& figure, const Layout& layout) {
+  const auto plan = plan_figure(figure, layout);
   std::string out;
   out.reserve(16384);
-  append_root(out, plan);
+  append_root(out, plan, layout);
   append_description(out, figure, plan);
   append_style(out, plan);
   SvgWriter svg(out);
@@ -70,7 +76,7 @@ std::string draw_figure(const Figure& figure) {
   draw_legend(svg, plan.legend, {page_margin, plan.legend_top});
   for (const auto& panel : plan.panels) {
     throw_if_interrupted();
-    svg.open_group("bp-panel");
+    svg.open_group("bp-panel", reading_attributes(panel.kind, panel));
     draw_head(svg, panel);
     kind_of(panel.kind).draw(svg, panel);
     svg.close_group();
@@ -81,11 +87,13 @@ std::string draw_figure(const Figure& figure) {
 
 } // namespace
 
-std::string to_svg(const Figure& figure) {
-  if (std::ranges::all_of(figure.panels, &Panel::drawn)) return draw_figure(figure);
+std::string to_svg(const Figure& figure) { return to_svg(figure, {}); }
+
+std::string to_svg(const Figure& figure, const Layout& layout) {
+  if (std::ranges::all_of(figure.panels, &Panel::drawn)) return draw_figure(figure, layout);
   Figure drawn = figure;
   std::erase_if(drawn.panels, [](const Panel& panel) { return !panel.drawn; });
-  return draw_figure(drawn);
+  return draw_figure(drawn, layout);
 }
 
 } // namespace brdfplot::plot

@@ -163,6 +163,12 @@ void SvgWriter::image(const Box& box, std::string_view type, std::string_view by
 void SvgWriter::text(Point at, std::string_view label, double size, Anchor anchor, std::string_view classes,
                      bool bold) {
   if (label.empty()) return;
+  // CairoSVG anchors each part of a text by itself: one with parts begins where it has to.
+  const bool parts = parse_markup(label).size() > 1;
+  if (parts && anchor != Anchor::start) {
+    at.x -= (anchor == Anchor::middle ? 0.5 : 1.0) * text_width(label, size, bold);
+    anchor = Anchor::start;
+  }
   out_.append("<text class=\"").append(classes).append("\"");
   attribute("x", at.x);
   attribute("y", at.y);
@@ -200,6 +206,12 @@ void SvgWriter::open_clip(std::string_view id, const PathData& region) {
   out_.append("<g clip-path=\"url(#").append(id).append(")\">\n");
 }
 
-void SvgWriter::open_group(std::string_view classes) { out_.append("<g class=\"").append(classes).append("\">\n"); }
+void SvgWriter::open_group(std::string_view classes, std::string_view extra) {
+  out_.append("<g class=\"").append(classes).append("\"").append(extra).append(">\n");
+}
+
+std::string key_attribute(const Look& look) {
+  return " data-key=\"" + look.colour + "." + std::to_string(look.dash) + "\"";
+}
 
 } // namespace brdfplot::plot

@@ -61,12 +61,15 @@ void append_polyline(PathData& path, const std::vector<Point>& points);
 
 enum class Anchor { start, middle, end };
 
+/// What joins a legend's entry and what is drawn of its series, for a page that hides them: ` data-key="s0.1"`.
+std::string key_attribute(const Look& look);
+
 /// The attributes of a path beside its data.
 struct Stroke {
   std::string classes;
   double width = 1;
   std::string_view dash;
-  std::string_view extra; ///< more attributes, verbatim
+  std::string extra{}; ///< more attributes, verbatim
 };
 
 class SvgWriter {
@@ -82,6 +85,8 @@ public:
   /// One line of text with its baseline at `at`.
   void text(Point at, std::string_view label, double size, Anchor anchor, std::string_view classes = "bp-ink",
             bool bold = false);
+  /// What lies under a label fades there. A box: not all renderers paint the outline of a text before the text.
+  void veil(const Box& box) { rect(box, "bp-bg bp-veil"); }
   /// Lines of text below each other; `top` is the upper edge of the first.
   void lines(Point top, const FittedText& text, Anchor anchor, std::string_view classes = "bp-ink");
   /// Lines of text turned to be read upward; `centre` is the middle of the block.
@@ -89,7 +94,8 @@ public:
   /// Defines a clipping region and opens a group that uses it.
   void open_clip(std::string_view id, const PathData& region);
   void close_group() { out_ += "</g>\n"; }
-  void open_group(std::string_view classes);
+  /// `extra`: more attributes, verbatim.
+  void open_group(std::string_view classes, std::string_view extra = {});
 
 private:
   void attribute(std::string_view name, double value);
