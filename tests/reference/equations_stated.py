@@ -46,7 +46,6 @@ STATED = {
          f"{NONE} in quantity `pdf`, strategy half vectors"),
     ],
     "Akenine-Moller et al. 2018": [
-        (22, 22, "projected area of all facets, not clamped", f"{NONE} follows from 9.21 for a heightfield"),
         (33, 33, "half vector", "figure variable `theta_h`"),
         (43, 43, "GGX with height-correlated masking in one fraction",
          "distribution `ggx` with shadowing `height_correlated`, written so"),
