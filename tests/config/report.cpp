@@ -149,7 +149,7 @@ TEST_CASE("schemas: one for each kind") {
 }
 
 TEST_CASE("the record of a report") {
-  const config::ReportFile report{"id", "T", "", {}};
+  const config::ReportFile report{"id", "T", "", {}, "", {}, ""};
   const PropertyRow row{"",
                         "ggx",
                         "ggx",
