@@ -92,7 +92,7 @@ TEST_CASE("scenes that advise does not take") {
   check_error(folder, "brdfplot advise s.json", 2, {"s.json: /goal", "unknown key \"goal\""});
   folder.write("s.json", scene("2", R"(, "target": "gpu")"));
   check_error(folder, "brdfplot advise s.json", 2,
-              {"s.json: /target", "found \"gpu\"", "shader", "double", "double_simd", "float", "float_simd"});
+              {"s.json: /target", "unknown value \"gpu\"", "shader", "double", "double_simd", "float", "float_simd"});
   folder.write("s.json", scene("0"));
   check_error(folder, "brdfplot advise s.json", 2, {"s.json: /tolerance/delta_e", "found 0"});
 }

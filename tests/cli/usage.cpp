@@ -142,7 +142,7 @@ TEST_CASE("list: everything in short, a section or a name in full") {
   for (const auto& [name, words] :
        std::vector<std::pair<std::string, std::string>>{{"ggx", "a number in [1e-06, 1e+06]"},
                                                         {"schlick", "default 5"},
-                                                        {"height_correlated", "[Ross et al. 2005; Heitz 2014, Eq. 99]"},
+                                                        {"height_correlated", "Heitz 2014, Eq. 99; "},
                                                         {"albedo", "needs omega_o"}}) {
     const std::string one = check_output(folder, "brdfplot list " + name);
     CHECK_MESSAGE(one.find(words) != std::string::npos, one);
