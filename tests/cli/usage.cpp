@@ -52,7 +52,7 @@ TEST_CASE("the example of every help works as printed") {
 TEST_CASE("what is misspelt names the nearest") {
   const Folder folder;
   check_error(folder, "brdfplot", 2,
-              {"no command", "accepted: eval, plot, check, fit, report, sample, compare, pareto, stress, advise, "
+              {"no command", "accepted: eval, plot, check, fit, report, sample, compare, bake, pareto, stress, advise, "
                              "simulate, convert, list, help, schema, validate"});
   check_error(folder, "brdfplot evla", 2, {"unknown command \"evla\"", "did you mean \"eval\"?", "accepted: eval"});
   check_error(folder, "brdfplot eval --toleranse 1", 2, {"\"--toleranse\"", "did you mean \"--tolerance\"?"});
