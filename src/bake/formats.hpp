@@ -26,7 +26,7 @@ struct TableFormat {
   std::string ending;
   std::string doc;
   std::vector<Stored> stored; ///< what it can hold, the first by default
-  std::string (*bytes)(const BakedTable& table, Stored stored, const std::string& name);
+  std::string (*bytes)(const BakedTable& baked, Stored stored, const std::string& path);
 };
 
 const std::vector<TableFormat>& table_formats();
@@ -34,14 +34,14 @@ const std::vector<TableFormat>& table_formats();
 /// The format of a file by the ending of its name. \throws InputError
 const TableFormat& format_of(const std::string& path);
 
-std::string npy_bytes(const BakedTable& table, Stored stored, const std::string& name);
-std::string ktx2_bytes(const BakedTable& table, Stored stored, const std::string& name);
-std::string c_header(const BakedTable& table, Stored stored, const std::string& name);
-std::string glsl_source(const BakedTable& table, Stored stored, const std::string& name);
-std::string csv_text(const BakedTable& table, Stored stored, const std::string& name);
+std::string npy_bytes(const BakedTable& baked, Stored stored, const std::string& path);
+std::string ktx2_bytes(const BakedTable& baked, Stored stored, const std::string& path);
+std::string c_header(const BakedTable& baked, Stored stored, const std::string& path);
+std::string glsl_source(const BakedTable& baked, Stored stored, const std::string& path);
+std::string csv_text(const BakedTable& baked, Stored stored, const std::string& path);
 
 /// The table's description, a line each: axes, how they are read, what its error is. Formats have it as comments.
-std::vector<std::string> description_of(const BakedTable& table);
+std::vector<std::string> description_of(const BakedTable& baked);
 
 /// Bytes of a number, little-endian, appended.
 template <class Number>

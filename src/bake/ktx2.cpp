@@ -55,10 +55,10 @@ std::string metadata(const BakedTable& baked) {
 
 } // namespace
 
-std::string ktx2_bytes(const BakedTable& baked, Stored stored, const std::string& name) {
+std::string ktx2_bytes(const BakedTable& baked, Stored stored, const std::string& path) {
   const Table& table = baked.table;
   if (table.axes.size() > 3)
-    throw InputError(name, "found " + std::to_string(table.axes.size()) + " axes; a texture has 1 to 3");
+    throw InputError(path, "found " + std::to_string(table.axes.size()) + " axes; a texture has 1 to 3");
   const std::uint32_t size = stored == Stored::half ? 2 : 4;
   const std::string format = data_format(table.channels.size(), size), keys = metadata(baked);
   std::string level;

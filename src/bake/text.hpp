@@ -9,6 +9,6 @@
 namespace brdfplot::bake {
 
 /// Size, axes and error of a table, a few lines. `rounding`: of the numbers as they are stored.
-std::string summary(const BakedTable& table, double rounding);
+std::string summary(const BakedTable& baked, double rounding);
 
 } // namespace brdfplot::bake
