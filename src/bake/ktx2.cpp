@@ -77,7 +77,7 @@ std::string ktx2_bytes(const BakedTable& baked, Stored stored, const std::string
   append_bytes(bytes, std::uint64_t{0}); // no supercompression
   append_bytes(bytes, std::uint64_t{0});
   // Levels begin at a multiple of the texel's size and of 4.
-  constexpr std::size_t alignment = 12 * 2;
+  constexpr std::size_t alignment = 24;
   const std::size_t end = keys_at + keys.size(), level_at = (end + alignment - 1) / alignment * alignment;
   for (const std::size_t number : {level_at, level.size(), level.size()})
     append_bytes(bytes, static_cast<std::uint64_t>(number));

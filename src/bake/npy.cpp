@@ -1,12 +1,14 @@
 #include "bake/formats.hpp"
 
+#include <ranges>
+
 namespace brdfplot::bake {
 
 /// NumPy's format 1.0: an array in C order, the axes in reverse, the values of a node last.
 std::string npy_bytes(const BakedTable& baked, Stored stored, const std::string&) {
   const Table& table = baked.table;
   std::string shape;
-  for (auto axis = table.axes.rbegin(); axis != table.axes.rend(); ++axis) shape += std::to_string(axis->nodes) + ", ";
+  for (const Axis& axis : std::ranges::reverse_view(table.axes)) shape += std::to_string(axis.nodes) + ", ";
   shape += std::to_string(table.channels.size());
   const char* const type = stored == Stored::half ? "<f2" : stored == Stored::float32 ? "<f4" : "<f8";
   std::string header = std::string("{'descr': '") + type + "', 'fortran_order': False, 'shape': (" + shape + "), }";

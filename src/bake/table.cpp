@@ -18,7 +18,7 @@ std::vector<double> Table::interpolated(const std::vector<double>& shares) const
     double weight = 1;
     std::size_t node = 0, stride = 1;
     for (std::size_t k = 0; k < axes.size(); ++k) {
-      const double last = static_cast<double>(axes[k].nodes - 1);
+      const auto last = static_cast<double>(axes[k].nodes - 1);
       const double place = std::clamp(shares[k], 0.0, 1.0) * last;
       const double low = std::min(std::floor(place), last - 1), part = place - low;
       const bool upper = (corner >> k & 1) != 0;

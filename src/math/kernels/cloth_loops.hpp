@@ -60,7 +60,7 @@ void sheen_all(const SheenParameters& parameters, double at_half, Vectors<double
   for (std::size_t j = 0; j < n; ++j) {
     const Vector3 viewer{o.x[j], o.y[j], o.z[j]}, light{i.x[j], i.y[j], i.z[j]};
     const double v = viewer.z, l = light.z, d = scale * power_of_sine(viewer, light, k.m);
-    double value;
+    double value = 0;
     if constexpr (masking == SheenMasking::unmasked) {
       value = d * ((times_cosine ? l : 1) / (l + v * (1 - l)));
     } else {

@@ -29,7 +29,7 @@ ModelSpec VCavitySurface::spec() {
                              .fallback = std::string(shapes.front()->distribution),
                              .doc = "what their distribution is",
                              .choices = {}});
-  for (const UnitSlopes* shape : shapes) spec.parameters.back().choices.push_back(shape->distribution);
+  for (const UnitSlopes* shape : shapes) spec.parameters.back().choices.emplace_back(shape->distribution);
   spec.parameters.push_back({.key = "pairs",
                              .bounds = {.min = 16, .max = 65536},
                              .fallback = 1024.0,
