@@ -1,14 +1,12 @@
 #include "bake/formats.hpp"
 
-#include <ranges>
-
 namespace brdfplot::bake {
 
 /// NumPy's format 1.0: an array in C order, the axes in reverse, the values of a node last.
 std::string npy_bytes(const BakedTable& baked, Stored stored, const std::string&) {
   const Table& table = baked.table;
   std::string shape;
-  for (const Axis& axis : std::ranges::reverse_view(table.axes)) shape += std::to_string(axis.nodes) + ", ";
+  for (std::size_t k = table.axes.size(); k-- > 0;) shape += std::to_string(table.axes[k].nodes) + ", ";
   shape += std::to_string(table.channels.size());
   const char* const type = stored == Stored::half ? "<f2" : stored == Stored::float32 ? "<f4" : "<f8";
   std::string header = std::string("{'descr': '") + type + "', 'fortran_order': False, 'shape': (" + shape + "), }";

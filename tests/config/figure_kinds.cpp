@@ -4,7 +4,6 @@
 #include "temp_files.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 namespace {
@@ -13,8 +12,6 @@ using namespace brdfplot;
 using test::contains;
 using test::error_of;
 using test::TempFolder;
-
-constexpr double pi = std::numbers::pi;
 
 const std::string ggx = R"("material": {"distribution": {"type": "ggx", "alpha": 0.5}}, )";
 const std::string gold = R"("material": {"name": "gold", "distribution": {"type": "ggx", "alpha": 0.3},
