@@ -4,6 +4,7 @@
 #include "base/echo.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
+#include "base/split.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
 #include "models/parameters.hpp"
@@ -31,15 +32,10 @@ struct EvalFlags {
   std::string strategy;
 };
 
-std::vector<std::string> split(const std::vector<std::string>& lists) {
+std::vector<std::string> names_in(const std::vector<std::string>& lists) {
   std::vector<std::string> names;
-  for (const auto& list : lists) {
-    for (std::size_t begin = 0; begin <= list.size();) {
-      const std::size_t end = std::min(list.find(',', begin), list.size());
-      names.push_back(list.substr(begin, end - begin));
-      begin = end + 1;
-    }
-  }
+  for (const auto& list : lists)
+    for (const auto& name : split(list, ',')) names.push_back(name);
   return names;
 }
 
@@ -53,7 +49,7 @@ bool is_single(const std::string& precision) {
 int run(const EvalFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "eval", "MATERIAL.json");
   require_argument(!flags.quantities.empty(), "eval", "-q Q[,Q...]");
-  StreamOptions options{select_quantities(split(flags.quantities), "-q"),
+  StreamOptions options{select_quantities(names_in(flags.quantities), "-q"),
                         read_tolerance(flags.tolerance, default_tolerance), settings.threads,
                         is_single(flags.precision)};
   const bool density = std::ranges::any_of(options.quantities, [](const auto& q) { return q.is_density(); });

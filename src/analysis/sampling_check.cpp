@@ -170,13 +170,18 @@ private:
     }
     found.mean_square = squares / count;
     constexpr double accuracy = 1e-4;
-    found.expected_square = mean_squared_weight(material_, density_, omega_o_, accuracy * (1 + found.mean_square));
-    // Where few samples weigh most, all of them may be missing.
+    found.expected_square = weight_moment(2, material_, density_, omega_o_, accuracy * (1 + found.mean_square));
+    // Few samples may weigh most, and all of them may be missing: then the samples know too little of how much their
+    // mean square varies, and the fourth moment by quadrature says it. One sample of the largest weight is no fault.
+    const double square = found.expected_square.value;
+    const Estimate fourth =
+        weight_moment(4, material_, density_, omega_o_, 0.05 * std::fmax(fourths / count, square * square));
+    const double expected_fourth = std::isfinite(fourth.value) ? fourth.value - fourth.error : 0;
+    const double variance =
+        std::fmax(fourths / count - found.mean_square * found.mean_square, expected_fourth - square * square);
     largest = std::fmax(largest, largest_where_bright());
     found.largest_weight = std::fmax(found.largest_weight, largest);
-    found.square_error =
-        std::hypot(std::sqrt(std::fmax(fourths / count - found.mean_square * found.mean_square, 0.0) / (count - 1)),
-                   largest * largest / count);
+    found.square_error = std::hypot(std::sqrt(std::fmax(variance, 0.0) / (count - 1)), largest * largest / count);
     found.squares_apart = std::fabs(found.mean_square - found.expected_square.value) /
                           std::hypot(found.square_error, found.expected_square.error, 1e-300);
   }

@@ -28,7 +28,7 @@ struct SamplingFindings {
   double albedo = 0;
   double errors_apart = 0;   ///< |mean_weight - albedo| in standard errors
   double mean_square = 0;    ///< of the weights of the first channel
-  double square_error = 0;   ///< of it, from the samples; at least one sample of the largest weight
+  double square_error = 0;   ///< of it, the larger of the samples' and quadrature's; at least one sample of the largest
   Estimate expected_square;  ///< int f^2 cos^2 / pdf by quadrature
   double squares_apart = 0;  ///< |mean_square - expected_square| in standard errors
   double largest_weight = 0; ///< of samples, and of directions where the BRDF is large

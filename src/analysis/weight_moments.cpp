@@ -15,11 +15,12 @@ namespace brdfplot {
 
 namespace {
 
-/// (rho c_i)^2 / pdf of one channel over lights at a fixed viewer.
-class SquaredWeights {
+/// pdf (rho c_i / pdf)^power of one channel over lights at a fixed viewer.
+class WeightPowers {
 public:
-  SquaredWeights(const Material& material, const PairDensity& density, const Direction& omega_o, int channel)
-      : material_(material), density_(density), rows_(omega_o), channel_(static_cast<std::size_t>(channel)) {}
+  WeightPowers(const Material& material, const PairDensity& density, const Direction& omega_o, int power, int channel)
+      : material_(material), density_(density), rows_(omega_o), power_(power),
+        channel_(static_cast<std::size_t>(channel)) {}
 
   void operator()(const std::vector<Direction>& lights, std::vector<double>& out) {
     const Batch batch = rows_.with_lights(lights.size(), [&](std::size_t k) { return lights[k]; });
@@ -29,7 +30,10 @@ public:
     density_(batch.n, batch.o, batch.i, out.data());
     for (std::size_t k = 0; k < batch.n; ++k) {
       const double f = brdf_cos_[channel_ * batch.n + k];
-      out[k] = f > underflow_of_densities ? f * (f / out[k]) : 0;
+      const double weight = f > underflow_of_densities ? f / out[k] : 0;
+      double power = f;
+      for (int times = 1; times < power_; ++times) power *= weight;
+      out[k] = power;
     }
   }
 
@@ -37,6 +41,7 @@ private:
   const Material& material_;
   const PairDensity& density_;
   ViewerRows rows_;
+  int power_;
   std::size_t channel_;
   std::vector<double> brdf_cos_;
 };
@@ -48,16 +53,16 @@ PairDensity density_of(const Sampler& sampler) {
       [&sampler](std::size_t n, const Columns& o, const Columns& i, double* out) { sampler.densities(n, o, i, out); };
 }
 
-Estimate mean_squared_weight(const Material& material, const PairDensity& density, const Direction& omega_o,
-                             double tolerance, int channel) {
+Estimate weight_moment(int power, const Material& material, const PairDensity& density, const Direction& omega_o,
+                       double tolerance, int channel) {
   const Sampler about(material, "default");
   const std::vector<SamplingPart> parts = parts_of(about, omega_o);
-  SquaredWeights squares(material, density, omega_o, channel);
+  WeightPowers powers(material, density, omega_o, power, channel);
   Estimate sum;
   std::vector<double> all, own;
   for (const SamplingPart& part : parts) {
     const auto integrand = [&](const std::vector<Direction>& lights, std::vector<double>& out) {
-      squares(lights, out);
+      powers(lights, out);
       if (parts.size() == 1) return;
       all.assign(lights.size(), 0);
       for (const SamplingPart& other : parts) {
@@ -76,9 +81,9 @@ double weight_variance(const Material& material, const Sampler& sampler, const D
                        int channel) {
   if (!(sampler.mesosurface().project(omega_o).c > 0)) return 0;
   const PairDensity density = density_of(sampler);
-  Estimate square = mean_squared_weight(material, density, omega_o, tolerance, channel);
+  Estimate square = weight_moment(2, material, density, omega_o, tolerance, channel);
   if (square.value > 1 && square.error > tolerance)
-    square = mean_squared_weight(material, density, omega_o, tolerance * square.value, channel);
+    square = weight_moment(2, material, density, omega_o, tolerance * square.value, channel);
   const double albedo = compute_or_throw(Integral::albedo, material, omega_o, std::fmin(tolerance, 1e-7), channel);
   if (!(square.error <= tolerance * std::fmax(1.0, square.value)))
     throw AccuracyError(material.name, "the variance of the weights has an error of " + format_number(square.error) +

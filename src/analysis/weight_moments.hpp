@@ -18,13 +18,13 @@ PairDensity density_of(const Sampler& sampler);
 /// Where the BRDF is below this, a density may be 0 by underflow: its factors are others.
 inline constexpr double underflow_of_densities = 1e-280;
 
-/// The mean of squared weights of one channel, int (rho c_i)^2 / pdf di over the lights above the horizon; infinite
-/// where a density is 0 and the BRDF is not. By quadrature about what the material's terms are narrow about, whatever
-/// the density. \pre omega_o above the horizon of the mesosurface
-Estimate mean_squared_weight(const Material& material, const PairDensity& density, const Direction& omega_o,
-                             double tolerance, int channel = 0);
+/// The mean of a power of the weights of one channel, int pdf (rho c_i / pdf)^power di over the lights above the
+/// horizon; infinite where a density is 0 and the BRDF is not. By quadrature about what the material's terms are narrow
+/// about, whatever the density. \pre omega_o above the horizon of the mesosurface; power >= 1
+Estimate weight_moment(int power, const Material& material, const PairDensity& density, const Direction& omega_o,
+                       double tolerance, int channel = 0);
 
-/// The variance of the weights of one channel: mean_squared_weight() less the square of the albedo. `tolerance` is
+/// The variance of the weights of one channel: weight_moment() of power 2 less the square of the albedo. `tolerance` is
 /// relative to the mean square, or absolute below 1. \throws AccuracyError where it is missed
 double weight_variance(const Material& material, const Sampler& sampler, const Direction& omega_o, double tolerance,
                        int channel = 0);

@@ -3,6 +3,7 @@
 #include "base/echo.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
+#include "base/split.hpp"
 
 #include <cmath>
 #include <optional>
@@ -13,16 +14,6 @@ namespace brdfplot::bake {
 namespace {
 
 constexpr double most_nodes = 4096, most_power = 8;
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == ':')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
 
 std::optional<double> whole(const std::string& text, double least, double most) {
   const std::optional<double> number = parse_number(text);
@@ -37,8 +28,6 @@ double Axis::at(double share) const {
   return share >= 1 ? to : value;
 }
 
-double Axis::share_of(double value) const { return std::pow((value - from) / (to - from), 1.0 / power); }
-
 Axis parse_axis(const std::string& text, const std::string& where) {
   const auto fail = [&] {
     throw InputError(where, "found \"" + echo(text) +
@@ -48,7 +37,7 @@ Axis parse_axis(const std::string& text, const std::string& where) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos || sign == 0) fail();
   Axis axis{text.substr(0, sign), 0, 1, 0, 0};
-  const std::vector<std::string> parts = split(text.substr(sign + 1));
+  const std::vector<std::string> parts = split(text.substr(sign + 1), ':');
   if (parts.size() < 2 || parts.size() > 4) fail();
   const bool is_angle = axis.variable == "theta_o" || axis.variable == "phi_o";
   const auto value = [&](const std::string& part) { return is_angle ? parse_angle(part) : parse_number(part); };

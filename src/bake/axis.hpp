@@ -17,8 +17,6 @@ struct Axis {
 
   /// The value at a share of the way, in [0, 1].
   double at(double share) const;
-  /// The share at which `value`, within the axis, is.
-  double share_of(double value) const;
 };
 
 /// "NAME=FROM:TO", "NAME=FROM:TO:NODES" or "NAME=FROM:TO:NODES:POWER"; FROM and TO of angles may have a unit. What is

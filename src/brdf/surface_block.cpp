@@ -9,17 +9,6 @@
 
 namespace brdfplot {
 
-double careful_dot(const Direction& u, const Direction& v) {
-  const double x = u.x * v.x, y = u.y * v.y, z = u.z * v.z;
-  const double products = std::fma(u.x, v.x, -x) + std::fma(u.y, v.y, -y) + std::fma(u.z, v.z, -z);
-  const auto low = [](double a, double b, double sum) {
-    const double part = sum - a;
-    return (a - (sum - part)) + (b - part);
-  };
-  const double xy = x + y, xyz = xy + z;
-  return xyz + (low(x, y, xy) + low(xy, z, xyz) + products);
-}
-
 namespace {
 
 /// c Lambda or c / G1 of a formula, which are wanted where the direction is above the mesosurface and sees the facet.
@@ -60,10 +49,11 @@ void mask_by(const D& distribution, const M& masking, const SurfaceBlock& block,
     for (std::size_t k = 0; k < n; ++k)
       side.masked_area[k] = masking.masked_area({std::fabs(side.c[k]), side.s[k]}, omega[k]) + std::fmax(-side.c[k], 0);
   } else {
-    for (std::size_t k = 0; k < n; ++k) {
-      const double facing = careful_dot(omega[k], block.m[k]);
-      side.unmasked_area[k] = facing > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing, block.m.z[k]) : 1;
-    }
+    Buffer facing;
+    kernels::careful_dots(vectors(omega), vectors(block.m), facing.data(), n);
+    for (std::size_t k = 0; k < n; ++k)
+      side.unmasked_area[k] =
+          facing[k] > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing[k], block.m.z[k]) : 1;
   }
 }
 
@@ -160,14 +150,19 @@ void compute_visibility(const Microsurface& surface, SurfaceBlock& block) {
   compute_side(surface, block, block.o, block.viewer, block.done.viewer);
   compute_side(surface, block, block.i, block.light, block.done.light);
   const SlopeMap& map = surface.slopes();
+  Buffer facing_viewer, facing_light;
+  if (!block.has_half) {
+    kernels::careful_dots(vectors(block.o), vectors(block.m), facing_viewer.data(), block.n);
+    kernels::careful_dots(vectors(block.i), vectors(block.m), facing_light.data(), block.n);
+  }
   std::visit(
       [&](const auto& shadowing) {
         const MaskedSide& v = block.viewer;
         const MaskedSide& l = block.light;
         for (std::size_t k = 0; k < block.n; ++k) {
-          const Direction o = block.o[k], i = block.i[k], m = block.m[k];
-          const bool facing = block.has_half || (careful_dot(o, m) > 0 && careful_dot(i, m) > 0);
-          const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && m.z > 0;
+          const Direction o = block.o[k], i = block.i[k];
+          const bool facing = block.has_half || (facing_viewer[k] > 0 && facing_light[k] > 0);
+          const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && block.m.z[k] > 0;
           const Projection viewer{v.c[k], v.s[k]}, light{l.c[k], l.s[k]};
           const DirectionPair pair = direction_pair(shadowing, map, o, viewer, i, light);
           const double t_o = masked_area_of(shadowing, viewer, o, v.masked_area[k]);

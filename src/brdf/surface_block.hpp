@@ -53,10 +53,6 @@ void compute_densities(const Microsurface& surface, SurfaceBlock& block);
 /// Computes F(o.m) of each channel.
 void compute_reflectances(const Fresnel& fresnel, SurfaceBlock& block);
 
-/// u.v with the rounding of every step added at the end (Ogita, Rump, Oishi 2005): right where the two are all but
-/// perpendicular, and the terms cancel.
-double careful_dot(const Direction& u, const Direction& v);
-
 inline kernels::Vectors<double> vectors(const Columns& columns) { return {columns.x, columns.y, columns.z}; }
 
 } // namespace brdfplot

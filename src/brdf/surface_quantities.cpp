@@ -2,6 +2,7 @@
 
 #include "brdf/kernel_choice.hpp"
 #include "brdf/surface_block.hpp"
+#include "math/kernels/directions.hpp"
 
 #include <algorithm>
 
@@ -14,15 +15,16 @@ void evaluate_masking(const Microsurface& surface, Quantity quantity, bool has_m
   compute_masking(surface, block);
   if (quantity == Quantity::d_visible) compute_densities(surface, block);
   const MaskedSide& v = block.viewer;
+  Buffer facing;
+  kernels::careful_dots(vectors(block.o), vectors(block.m), facing.data(), block.n);
   for (std::size_t k = 0; k < block.n; ++k) {
-    const double facing = careful_dot(block.o[k], block.m[k]);
-    const bool seen = v.c[k] > 0 && ((facing > 0 && block.m.z[k] > 0) || !has_m);
+    const bool seen = v.c[k] > 0 && ((facing[k] > 0 && block.m.z[k] > 0) || !has_m);
     if (quantity == Quantity::lambda)
       out[k] = v.c[k] > 0 ? v.masked_area[k] / v.c[k] : infinity;
     else if (quantity == Quantity::g1)
       out[k] = seen ? v.c[k] / v.unmasked_area[k] : 0;
     else
-      out[k] = seen && block.density[k] > 0 ? block.density[k] * (facing / v.unmasked_area[k]) : 0;
+      out[k] = seen && block.density[k] > 0 ? block.density[k] * (facing[k] / v.unmasked_area[k]) : 0;
   }
 }
 

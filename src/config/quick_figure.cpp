@@ -4,6 +4,7 @@
 #include "base/echo.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
+#include "base/split.hpp"
 #include "brdf/quantity.hpp"
 #include "config/figure_labels.hpp"
 #include "config/json_file.hpp"
@@ -75,16 +76,6 @@ Assignment assignment(const std::string& flag, const std::string& words, const s
   if (sign == std::string::npos || sign == 0 || sign + 1 == words.size())
     throw InputError(flag, "found \"" + echo(words) + "\"; accepted: " + accepted);
   return {words.substr(0, sign), words.substr(sign + 1)};
-}
-
-std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == at)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
 }
 
 /// A number where it is one; "60deg" and names of types stay text.

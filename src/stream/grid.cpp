@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/split.hpp"
 #include "models/parameters.hpp"
 
 #include <algorithm>
@@ -42,16 +43,6 @@ std::optional<Angle> read_angle(std::string text) {
   return Angle{*parse_angle(text), false};
 }
 
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == ':')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 } // namespace
 
 double GridAxis::value(std::uint64_t k) const {
@@ -72,7 +63,7 @@ GridAxis grid_axis(const std::string& text, const std::string& where) {
   if (std::ranges::find(angle_names(), out.name) == angle_names().end())
     throw InputError(where, unknown_name("angle", out.name, angle_names()));
   std::vector<Angle> numbers;
-  for (const std::string& part : parts_of(text.substr(sign + 1))) {
+  for (const std::string& part : split(text.substr(sign + 1), ':')) {
     const auto number = read_angle(part);
     if (!number) fail(form);
     numbers.push_back(*number);

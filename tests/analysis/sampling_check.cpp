@@ -124,6 +124,16 @@ int configurations() {
   return asked != nullptr ? std::atoi(asked) : 100;
 }
 
+/// Of a thousand configurations one or the other is four standard errors off by chance: 16 times as many samples from
+/// another seed find a fault again, with four times as many standard errors, and a chance not.
+SamplingFindings check_again(const Material& material, const Sampler& sampler, const Direction& o, SamplingTest test,
+                             const SamplingFindings& found) {
+  for (const std::string& fault : found.faults(test)) MESSAGE("looked at again: " << fault);
+  test.samples *= 16;
+  test.seed += 1'000'000'000;
+  return check_sampling(material, sampler, o, test);
+}
+
 /// The findings about `density` in the place of the sampler's own.
 SamplingFindings held_to(const Material& material, const std::string& strategy, const Direction& o,
                          const PairDensity& density) {
@@ -145,7 +155,9 @@ TEST_CASE("random materials, viewers and strategies: samples follow the density,
     const Material material = build(description);
     const Direction o = random_viewer(random, material);
     test.seed = static_cast<std::uint64_t>(k);
-    const SamplingFindings found = check_sampling(material, Sampler(material, strategy), o, test);
+    const Sampler sampler(material, strategy);
+    SamplingFindings found = check_sampling(material, sampler, o, test);
+    if (!found.holds(test)) found = check_again(material, sampler, o, test, found);
     CAPTURE(k);
     CAPTURE(description.terms[0].type);
     CAPTURE(description.terms[0].distribution.type);

@@ -20,6 +20,16 @@ inline void half_vectors_of(Vectors<double> o, Vectors<double> i, double* __rest
   }
 }
 
-constexpr detail::DirectionKernels direction_kernels() { return {half_vectors_of}; }
+inline void careful_dots_of(Vectors<double> u, Vectors<double> v, double* __restrict out, std::size_t n) {
+  BRDFPLOT_INDEPENDENT
+  for (std::size_t j = 0; j < n; ++j) {
+    const double x = u.x[j] * v.x[j], y = u.y[j] * v.y[j], z = u.z[j] * v.z[j], xy = x + y, xyz = xy + z;
+    const double products =
+        product_low(u.x[j], v.x[j], x) + product_low(u.y[j], v.y[j], y) + product_low(u.z[j], v.z[j], z);
+    out[j] = xyz + (sum_low(x, y, xy) + sum_low(xy, z, xyz) + products);
+  }
+}
+
+constexpr detail::DirectionKernels direction_kernels() { return {half_vectors_of, careful_dots_of}; }
 
 } // namespace brdfplot::kernels::BRDFPLOT_KERNELS_NAMESPACE

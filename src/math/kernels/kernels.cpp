@@ -225,6 +225,10 @@ void half_vectors(Vectors<double> o, Vectors<double> i, double* x, double* y, do
   table().directions.half_vectors(o, i, x, y, z, n);
 }
 
+void careful_dots(Vectors<double> u, Vectors<double> v, double* out, std::size_t n) {
+  table().directions.careful_dots(u, v, out, n);
+}
+
 void wrap(const WrapParameters& parameters, const double* o_z, const double* i_z, bool times_cosine, int channels,
           double* const* out, std::size_t n) {
   table().cloth.wrap[times_cosine][channels > 1](parameters, o_z, i_z, out, n);

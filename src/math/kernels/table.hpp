@@ -115,8 +115,10 @@ struct ClothKernels {
 
 struct DirectionKernels {
   using Half = void (*)(Vectors<double>, Vectors<double>, double*, double*, double*, std::size_t);
+  using Dots = void (*)(Vectors<double>, Vectors<double>, double*, std::size_t);
 
   Half half_vectors;
+  Dots careful_dots;
 };
 
 struct Table {
