@@ -3,6 +3,7 @@
 #include "figure/contour.hpp"
 #include "figure/description.hpp"
 #include "figure/numbers.hpp"
+#include "figure/profile/autocorrelation.hpp"
 #include "figure/profile/panel.hpp"
 #include "figure/sampling.hpp"
 #include "figure/series/compare.hpp"
@@ -181,7 +182,7 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
   naming(place(figure, description, 0), [&] {
     const SimulatedTerm simulated(*description.compare_to, {description.x.column});
     panel.notes = compare_lobes(description.series[0].value.term, simulated, simulated_points(description, simulated),
-                                figure.tolerance, simulator.store, simulator.threads);
+                                simulator.store, simulator.threads);
     for (const Note& note : panel.notes)
       if (!std::isfinite(note.value))
         throw AccuracyError(note.label, "found " + format_number(note.value) + ", accepted: a finite number");
@@ -227,6 +228,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
     const Kind kind = kind_in(description, from);
     if (kind == Kind::profile) return naming(place(description, from), [&] { return profile_panel(from); });
     if (kind == Kind::spheres) return naming(place(description, from), [&] { return sphere_panel(from, threads); });
+    if (from.autocorrelation) return naming(place(description, from), [&] { return autocorrelation_panel(from); });
     Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}, {}};
     if (kind == Kind::heatmap)
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
