@@ -259,10 +259,11 @@ std::vector<SimulationTask> simulations(const FigureDescription& description) {
     for (auto& job : term.jobs(x)) {
       if (!keys.insert(job.key).second) continue;
       const std::string key = job.key;
+      const double work = term.work(job);
       auto run = [term, job = std::move(job)](simulation::Store& store, int threads) {
         store.get(job.key, [&] { return term.run(job, threads); });
       };
-      tasks.push_back({key, where, std::move(run)});
+      tasks.push_back({key, where, std::move(run), work});
     }
   };
   for (const auto& panel : description.panels) {

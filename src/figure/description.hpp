@@ -184,6 +184,7 @@ struct SimulationTask {
   std::string key; ///< tasks of one key are the same
   std::string name;
   std::function<void(simulation::Store& store, int threads)> run;
+  double work = 0; ///< roughly, in paths on a surface
 };
 
 /// Everything that compute() will want from the store, once each.
