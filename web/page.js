@@ -151,9 +151,10 @@ function plot(id, curves, from, to, xLabel) {
       path += `${pen}${X(x).toFixed(1)} ${Y(c.y[j]).toFixed(2)}`;
       pen = "L";
     });
-    out += `<path class="curve" style="stroke:var(--c${k % 4})" d="${path}"/>`;
+    const style = `class="curve" style="stroke:var(--c${k % 4})"${c.dashed ? ' stroke-dasharray="5 5"' : ""}`;
+    out += `<path ${style} d="${path}"/>`;
     const at = left + k * ((w - left) / Math.max(curves.length, 2));
-    out += `<path class="curve" style="stroke:var(--c${k % 4})" d="M${at} ${h - 8}h16"/><text x="${at + 20}" y="${h - 4}">${c.name}</text>`;
+    out += `<path ${style} d="M${at} ${h - 8}h16"/><text x="${at + 20}" y="${h - 4}">${c.name}</text>`;
   });
   panels[id].innerHTML = out + "</svg>";
 }
@@ -175,7 +176,7 @@ function drawMasking() {
   const curves = [{ name: "G1(θo, normal)", x, y: brdfplot.evaluate("g1", { o, m })[0] }];
   try {
     const lambda = brdfplot.evaluate("lambda", { o })[0];
-    curves.push({ name: "1 / (1 + Λ)", x, y: lambda.map((l) => 1 / (1 + l)) });
+    curves.push({ name: "1 / (1 + Λ)", dashed: true, x, y: lambda.map((l) => 1 / (1 + l)) });
   } catch { /* a masking function without Λ: the other curve stands alone */ }
   plot("masking", curves, 0, 90, "θo");
 }

@@ -134,7 +134,7 @@ def main(page: Path, program: str, configs: Path) -> list[str]:
             chosen = f"byId('distribution').value = '{kind}'; byId('distribution').onchange();"
             answer = ask(chosen + "[current.distribution.type, byId('error').hidden ? '' : byId('error').textContent, document.querySelectorAll('#controls .parameter').length]")
             # What cannot be set by sliders alone is told by the program.
-            if not isinstance(answer, list) or answer[0] != kind or (answer[1] and "/distribution" not in answer[1]):
+            if not isinstance(answer, list) or answer[0] != kind or (answer[1] and not answer[1].startswith("material: /")):
                 faults.append(f"controls of {kind}: {answer}")
             elif not answer[1]:
                 by_sliders += 1
