@@ -250,12 +250,12 @@ TEST_CASE("the report on sampling: what its captions say is what its data are") 
     if (m == "m = 0.8") CHECK(within(variance.first, 0.11, 0.005));
   }
 
-  const Curve by_cosine = curve_of("diffuse", "eon, r = 1", "cosine"),
-              by_eon = curve_of("diffuse", "eon, r = 1", "eon");
+  const Curve by_cosine = curve_of("diffuse", "eon with r = 1", "cosine"),
+              by_eon = curve_of("diffuse", "eon with r = 1", "eon");
   CHECK(within(by_cosine.last, 1.25, 0.005));
   CHECK(within(by_eon.last, 0.036, 0.0005));
   CHECK(within(by_cosine.last / by_eon.last, 35, 0.5));
-  const std::string both = "coupled, m = 0.4";
+  const std::string both = "coupled with m = 0.4";
   const Curve usual = curve_of("diffuse", both, "half vector and cosine"), own = curve_of("diffuse", both, "their own");
   CHECK(within(own.first, 0.00016, 5e-6));
   CHECK(within(usual.first, 0.00060, 5e-6));
