@@ -11,6 +11,7 @@
 #include "figure/spheres/panel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -53,11 +54,23 @@ std::string place(const FigureDescription& figure, const PanelDescription& panel
   return where + call("series", panel.series.at(*series).label, static_cast<std::ptrdiff_t>(*series));
 }
 
-/// Series of one label share a style, in the order in which labels appear; the channels of one family do.
+/// Series of one label share a style, in the order in which labels appear; the channels of one family do. Beside
+/// channels the others leave the colours of red, green and blue, the first three of the palette, to them.
 class Styles {
 public:
+  explicit Styles(const FigureDescription& figure)
+      : beside_channels_(std::ranges::any_of(figure.panels, [](const PanelDescription& panel) {
+          const auto coloured =
+              std::ranges::count_if(panel.series, [](const auto& one) { return one.hue.has_value(); });
+          return coloured > 0 && coloured < std::ssize(panel.series);
+        })) {}
+
   int of(const SeriesDescription& series) {
-    return series.hue ? place_of(series.family, families_) : place_of(series.label, labels_);
+    if (series.hue) return place_of(series.family, families_);
+    const int place = place_of(series.label, labels_);
+    constexpr std::array<int, 4> left = {6, 3, 4, 5}; // of seven colours; ink first
+    constexpr int count = static_cast<int>(left.size());
+    return beside_channels_ ? left[static_cast<std::size_t>(place % count)] + 7 * (place / count) : place;
   }
 
 private:
@@ -68,6 +81,7 @@ private:
     return static_cast<int>(index);
   }
 
+  bool beside_channels_;
   std::vector<std::string> labels_, families_;
 };
 
@@ -222,7 +236,7 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 description.columns,
                 description.share,
                 {}};
-  Styles styles;
+  Styles styles(description);
   FirstValues first;
   const auto computed = [&](const PanelDescription& from) {
     const Kind kind = kind_in(description, from);

@@ -1,5 +1,6 @@
 #include "config/load.hpp"
 #include "draw/model.hpp"
+#include "draw/style.hpp"
 #include "figure/description.hpp"
 #include "temp_files.hpp"
 
@@ -160,6 +161,17 @@ TEST_CASE("figures: rgb draws what is coloured thrice, in the colours of its cha
   CHECK(drawn[3].style == 1);
   CHECK(drawn[5].hue == plot::Hue::blue);
   CHECK_FALSE(drawn[6].hue);
+  CHECK(drawn[6].style == 6); // ink: blue, and red with dashes, are the channels'
+  const auto one_grey =
+      load(figure_text(gold + R"("materials": {"tin": {"distribution": {"type": "ggx", "alpha": 0.3}}}, )",
+                       lobe_panel(R"({"quantity": "brdf", "channel": "rgb", "label": "gold"},
+        {"quantity": "brdf", "material": "tin", "label": "tin"}, {"quantity": "g1", "at": {"theta_m": 0}, "label": "G1"})")));
+  std::vector<plot::Look> looks;
+  for (const auto& one : plot::compute(one_grey).panels[0].series)
+    if (!one.hue) looks.push_back(plot::look_of(one.style, one.ramp, 0));
+  CHECK(looks.size() == 2);
+  for (const auto& look : looks)
+    for (const char* channel : {"s0", "s1", "s2"}) CHECK(look.colour != channel);
 
   const auto looped = load(figure_text(
       gold, lobe_panel(R"({"quantity": "brdf", "for_each": {"variable": "channel", "values": ["b", "luminance"]}})")));
