@@ -166,8 +166,9 @@ TEST_CASE("figures: rgb draws what is coloured thrice, in the colours of its cha
       load(figure_text(gold + R"("materials": {"tin": {"distribution": {"type": "ggx", "alpha": 0.3}}}, )",
                        lobe_panel(R"({"quantity": "brdf", "channel": "rgb", "label": "gold"},
         {"quantity": "brdf", "material": "tin", "label": "tin"}, {"quantity": "g1", "at": {"theta_m": 0}, "label": "G1"})")));
+  const auto beside_grey = plot::compute(one_grey).panels[0].series;
   std::vector<plot::Look> looks;
-  for (const auto& one : plot::compute(one_grey).panels[0].series)
+  for (const auto& one : beside_grey)
     if (!one.hue) looks.push_back(plot::look_of(one.style, one.ramp, 0));
   CHECK(looks.size() == 2);
   for (const auto& look : looks)
