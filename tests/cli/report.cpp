@@ -242,7 +242,7 @@ TEST_CASE("the report on sampling: what its captions say is what its data are") 
   CHECK(within(by_cosine.last, 1.25, 0.005));
   CHECK(within(by_eon.last, 0.036, 0.0005));
   CHECK(within(by_cosine.last / by_eon.last, 35, 0.5));
-  const std::string both = "Kelemen–Szirmay-Kalos, m = 0.4";
+  const std::string both = "Kelemen–Szirmay-Kalos with m = 0.4";
   const Curve usual = curve_of("diffuse", both, "half vector and cosine"), own = curve_of("diffuse", both, "their own");
   CHECK(within(own.first, 0.00016, 5e-6));
   CHECK(within(usual.first, 0.00060, 5e-6));
