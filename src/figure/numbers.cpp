@@ -26,14 +26,27 @@ const auto& labelled(const std::string& what, const std::string& name, const Ite
   return *found;
 }
 
-double interpolated(const Series& series, double x) {
+/// Along the straight line that is drawn between the points on both sides, which on a logarithmic axis of y is one of
+/// ln y.
+double interpolated(const Series& series, double x, Scale scale = Scale::linear) {
   const auto after = std::ranges::lower_bound(series.x, x);
   if (after == series.x.end() || (after == series.x.begin() && series.x.front() > x))
     throw InputError("", "x = " + format_number(x) + " of series \"" + series.label + "\" is not drawn");
   const auto k = static_cast<std::size_t>(after - series.x.begin());
   if (series.x[k] <= x) return series.y[k];
   const double t = (x - series.x[k - 1]) / (series.x[k] - series.x[k - 1]);
-  return series.y[k - 1] + t * (series.y[k] - series.y[k - 1]);
+  const double before = series.y[k - 1], next = series.y[k];
+  if (scale == Scale::logarithmic && before > 0 && next > 0) return before * std::pow(next / before, t);
+  return before + t * (next - before);
+}
+
+/// The value at x. Beyond the ends of the axis, where nobody sees them, curves are not sampled finely enough for that.
+double value_at(const Panel& panel, const Series& series, double x) {
+  const double y = interpolated(series, x, panel.y.scale);
+  if (y < panel.y.from || y > panel.y.to)
+    throw InputError("", "series \"" + series.label + "\" at x = " + format_number(x) + " is " + format_number(y) +
+                             ", beyond the axis of y, where it is not drawn");
+  return y;
 }
 
 /// Keeps the extreme of what it is offered, and where it is.
@@ -70,7 +83,7 @@ double value_of(const Reading& reading, const Figure& figure) {
   const Panel& panel = figure.panels.at(reading.panel);
   if (reading.take == Reading::Take::note) return labelled("note", reading.series, panel.notes).value;
   if (reading.take == Reading::Take::at)
-    return interpolated(labelled("series", reading.series, panel.series), reading.x);
+    return value_at(panel, labelled("series", reading.series, panel.series), reading.x);
   Extreme extreme(reading);
   if (!reading.any_series) {
     extreme.offer(labelled("series", reading.series, panel.series));

@@ -16,7 +16,7 @@ struct Reading {
   std::size_t panel = 0;
   std::string series{};    ///< its label, or that of a note
   bool any_series = false; ///< extremes: of all series, or of a heat map, instead of one
-  double x = 0;            ///< Take::at: where, by linear interpolation between the points that are drawn
+  double x = 0;            ///< Take::at: where, on the straight line between the points that are drawn
   double from = -std::numeric_limits<double>::infinity(); ///< extremes: of the points from here ...
   double to = std::numeric_limits<double>::infinity();    ///< ... to here
   bool place = false;                                     ///< extremes: x of it instead of the value
@@ -39,7 +39,8 @@ struct NumberDescription {
 };
 
 /// The value of a number. `figure` has the panels that were described when the number was.
-/// \throws InputError where there is no such series or note (which there are), or x is outside of what is drawn
+/// \throws InputError where there is no such series or note (which there are), or x, or the value there, is outside of
+/// what is drawn
 double value_of(const NumberExpression& number, const Figure& figure);
 
 /// "1.52", "0.32 %", "89°": so many significant digits, as power of ten below 1e-4 and from 1e6 on.

@@ -66,6 +66,26 @@ TEST_CASE("numbers: what is not there is an error that says what is") {
   CHECK_THROWS_WITH_AS(read({.take = Take::note, .series = "size"}), doctest::Contains("distance"), InputError);
 }
 
+TEST_CASE("numbers: between two points of a logarithmic axis, and beyond an axis") {
+  Figure figure;
+  Panel panel;
+  Series fall;
+  fall.label = "fall";
+  fall.x = {0, 1, 2};
+  fall.y = {1, 1e-4, 1e-20};
+  panel.series = {fall};
+  figure.panels = {panel};
+  const NumberExpression half = reading({.series = "fall", .x = 0.5}), tail = reading({.series = "fall", .x = 1.5});
+  CHECK(value_of(half, figure) == doctest::Approx(0.5 * (1 + 1e-4)).epsilon(1e-14));
+  figure.panels[0].y.scale = Scale::logarithmic;
+  CHECK(value_of(half, figure) == doctest::Approx(1e-2).epsilon(1e-14));
+  CHECK(value_of(tail, figure) == doctest::Approx(1e-12).epsilon(1e-14));
+  // Below the axis the curve has no more points than it needs to leave it.
+  figure.panels[0].y.from = 1e-3;
+  CHECK(value_of(half, figure) == doctest::Approx(1e-2).epsilon(1e-14));
+  CHECK_THROWS_WITH_AS(value_of(tail, figure), doctest::Contains("beyond the axis of y"), InputError);
+}
+
 TEST_CASE("numbers: ratios and differences") {
   NumberExpression both;
   both.operands = {reading({.series = "line", .x = 1}), reading({.series = "line", .x = 0})};
