@@ -28,21 +28,21 @@ mount -t proc proc "$root/proc"
 cp /etc/resolv.conf "$root/etc/"
 mkdir "$root/root/packages"
 cp "$packages"/*.deb "$root/root/packages/"
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive bash -c "$1"; }
+apt="-qq -o APT::Sandbox::User=root -o Dpkg::Use-Pty=0" # _apt, by whom it reads files, may not enter /root
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive apt="$apt" bash -c "$1"; }
 
 step "apt install ./brdfplot_*.deb"
-# _apt, by whom apt reads, may not enter /root.
-inside 'cd /root/packages && apt-get -qq update && apt-get -qq -o APT::Sandbox::User=root install ./brdfplot_*.deb' 2>&1 | tail -n 3
+inside 'cd /root/packages && apt-get -qq update && apt-get $apt install ./brdfplot_*.deb' 2>&1 | tail -n 3
 inside 'dpkg -s brdfplot | grep -x "Status: install ok installed" && brdfplot --version'
 python3 "$here/run_tour.py" "$root"
 
 step "apt install ./libbrdfplot-dev_*.deb, and a project that uses it"
-inside 'cd /root/packages && apt-get -qq -o APT::Sandbox::User=root install --no-install-recommends ./libbrdfplot-dev_*.deb g++ cmake make' 2>&1 |
+inside 'cd /root/packages && apt-get $apt install --no-install-recommends ./libbrdfplot-dev_*.deb g++ cmake make' 2>&1 |
   tail -n 1
 mkdir "$root/root/consumer"
 cp "$here/CMakeLists.txt" "$here/main.cpp" "$root/root/consumer/"
 inside 'cd /root/consumer && cmake -B build . >/dev/null && cmake --build build >/dev/null && build/consumer'
 
 step "apt purge"
-inside 'apt-get -qq purge brdfplot libbrdfplot-dev && ! find /usr -path "*brdfplot*" | grep .' 2>&1 | tail -n 5
+inside 'apt-get $apt purge brdfplot libbrdfplot-dev && ! find /usr -path "*brdfplot*" | grep .' 2>&1 | tail -n 5
 step "The packages work"

@@ -30,6 +30,14 @@ if(NOT output STREQUAL "brdfplot ${VERSION}: 0.1\n")
   message(FATAL_ERROR "The consumer printed: ${output}")
 endif()
 
+# Files that tell the version to other tools.
+foreach(file IN ITEMS vcpkg.json CITATION.cff)
+  file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../${file}" line REGEX "^[ \"]*version\"?: ")
+  if(NOT line MATCHES "[ \"]${VERSION}[\",]*$")
+    message(FATAL_ERROR "${file} says ${line}; the project's version is ${VERSION}")
+  endif()
+endforeach()
+
 # An installed header that includes what is not installed would only fail in the consumer who needs it.
 file(GLOB_RECURSE headers RELATIVE "${prefix}/include/brdfplot" "${prefix}/include/brdfplot/*.hpp")
 list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"" OUTPUT_VARIABLE includes)
