@@ -140,6 +140,7 @@ int run(const AdviseFlags& flags, const Settings& settings) {
 Command add_advise(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<AdviseFlags>();
   CLI::App* command = app.add_subcommand("advise", "The least model of a material that a scene needs");
+  set_usage(*command, {"SCENE.json"});
   command->add_option("scene", flags->scene, "Materials, lights and what is seen of them")->type_name("SCENE.json");
   command
       ->add_option(

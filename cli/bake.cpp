@@ -104,6 +104,7 @@ std::string output_help() {
 Command add_bake(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<BakeFlags>();
   CLI::App* command = app.add_subcommand("bake", "Tables of albedo for renderers, with their error");
+  set_usage(*command, {"MATERIAL.json (-o TABLE | --json)"});
   command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
   command->add_option("-q,--quantity", flags->quantity, quantity_help())->type_name("NAME");
   command

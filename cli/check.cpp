@@ -4,7 +4,6 @@
 #include "analysis/masking_mistake.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
-#include "base/text_files.hpp"
 #include "built_in.hpp"
 #include "check_sampling.hpp"
 #include "command.hpp"
@@ -248,7 +247,7 @@ int run(const CheckFlags& flags, const Settings& settings) {
   std::vector<Checked> all = flags.materials.empty() ? built_in() : materials_of(flags);
   for (auto& one : all) one.search.tolerance = read_tolerance(flags.tolerance, one.search.tolerance);
   measure_all(all, settings);
-  write_text_file(flags.output, formatted(flags, all, settings));
+  write_output(flags.output, formatted(flags, all, settings));
   const int claims = judge_claims(all, settings), numbers = judge_numbers(all, settings);
   return claims != 0 ? claims : numbers;
 }

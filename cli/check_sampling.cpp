@@ -5,7 +5,7 @@
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
-#include "base/text_files.hpp"
+#include "command.hpp"
 #include "config/load.hpp"
 #include "report_tables.hpp"
 #include "terminal.hpp"
@@ -139,7 +139,7 @@ int check_samplers(const std::vector<std::string>& files, const SamplingCheckFla
     row.found = check_sampling(*row.material, *row.sampler, from_angles(row.theta_o * degree, row.phi_o * degree), own,
                                density);
   });
-  write_text_file(output, csv ? as_csv(rows) : as_table(rows, test));
+  write_output(output, csv ? as_csv(rows) : as_table(rows, test));
   return judge(rows, test, settings);
 }
 

@@ -5,9 +5,36 @@
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace brdfplot::cli {
+
+namespace {
+
+/// Says what a command needs, where CLI11 would list all as options.
+class UsageFormatter final : public CLI::Formatter {
+public:
+  UsageFormatter(const CLI::Formatter& like, std::string usage) : CLI::Formatter(like), usage_(std::move(usage)) {}
+  std::string make_usage(const CLI::App*, std::string) const override { return usage_; }
+
+private:
+  std::string usage_;
+};
+
+} // namespace
+
+void set_usage(CLI::App& command, const std::vector<std::string>& required) {
+  std::string usage;
+  for (const std::string& one : required)
+    usage +=
+        (usage.empty() ? "Usage: brdfplot " : "       brdfplot ") + command.get_name() + " " + one + " [OPTIONS]\n";
+  const auto like = std::dynamic_pointer_cast<CLI::Formatter>(command.get_formatter());
+  command.formatter(std::make_shared<UsageFormatter>(like ? *like : CLI::Formatter(), usage));
+}
 
 std::string footer(const std::string& example) {
   return "Global flags, before or after the command: --threads --quiet --progress --color (see brdfplot --help)\n"
@@ -27,12 +54,14 @@ double read_tolerance(const std::string& text, double fallback) {
   return *value;
 }
 
-void print(const std::string& text) {
+void write_output(const std::string& path, const std::string& text) {
   try {
-    write_text_file("-", text);
+    write_text_file(path, text);
   } catch (const ClosedPipe&) {
-    return; // who reads a part of a table, as head does, has what he wanted
+    return;
   }
 }
+
+void print(const std::string& text) { write_output("-", text); }
 
 } // namespace brdfplot::cli

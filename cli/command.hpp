@@ -45,6 +45,9 @@ Command add_help(CLI::App& app);
 Command add_schema(CLI::App& app);
 Command add_validate(CLI::App& app, const Settings& settings);
 
+/// The head of the command's help: what it cannot do without, and what else it cannot.
+void set_usage(CLI::App& command, const std::vector<std::string>& required);
+
 /// The end of every command's help.
 std::string footer(const std::string& example);
 
@@ -54,7 +57,11 @@ void require_argument(bool given, const std::string& command, const std::string&
 /// The value of --tolerance; `fallback` when it is not given. \throws InputError
 double read_tolerance(const std::string& text, double fallback);
 
-/// Text to stdout, all of it or a FileError; what reads a pipe may stop early.
+/// Text to a file, or to stdout ("-"): all of it or a FileError. Who reads stdout may stop early; the command goes on,
+/// to its own exit code.
+void write_output(const std::string& path, const std::string& text);
+
+/// The same to stdout.
 void print(const std::string& text);
 
 } // namespace brdfplot::cli

@@ -131,6 +131,7 @@ Command add_compare(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<CompareFlags>();
   CLI::App* command =
       app.add_subcommand("compare", "How far apart materials are: over all directions, and as lit spheres");
+  set_usage(*command, {"A.json B.json..."});
   command->add_option("materials", flags->files, "The first is what the others are held against")
       ->type_name("A.json B.json");
   command

@@ -43,6 +43,7 @@ int run(const ConvertFlags& flags, const Settings& settings) {
 Command add_convert(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<ConvertFlags>();
   CLI::App* command = app.add_subcommand("convert", "A material as a MERL file of 90 x 90 x 180 cells");
+  set_usage(*command, {"MATERIAL.json -o FILE.binary"});
   command->add_option("material", flags->material, "The material: isotropic and reciprocal, which a MERL file assumes")
       ->type_name("MATERIAL.json");
   command

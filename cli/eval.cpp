@@ -78,6 +78,7 @@ int run(const EvalFlags& flags, const Settings& settings) {
 Command add_eval(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<EvalFlags>();
   CLI::App* command = app.add_subcommand("eval", "Quantities of a material for the directions of a CSV or a grid");
+  set_usage(*command, {"MATERIAL.json -q Q[,Q...]"});
   command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
   command
       ->add_option("-q,--quantities", flags->quantities,

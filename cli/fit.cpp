@@ -82,6 +82,7 @@ int run(const FitFlags& flags, const Settings& settings) {
 Command add_fit(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<FitFlags>();
   CLI::App* command = app.add_subcommand("fit", "Smith's masking of a material as code for shaders");
+  set_usage(*command, {"MATERIAL.json"});
   command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
   command->add_option("--tolerance", flags->tolerance, "Largest relative error of G1; default: 1e-4")
       ->type_name("NUMBER");

@@ -123,6 +123,9 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& error) {
     cli::print_error(settings, error.what());
     _exit(error.exit_code()); // work that could not be interrupted may still be running
+  } catch (const ClosedPipe&) {
+    cli::print_warnings(settings); // of rows that were written
+    return 0;
   } catch (const Error& error) {
     cli::print_warnings(settings);
     cli::print_error(settings, error.what());

@@ -176,6 +176,7 @@ int run(const PlotFlags& flags, const Settings& settings) {
 Command add_plot(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<PlotFlags>();
   CLI::App* command = app.add_subcommand("plot", "Figures as SVG, CSV, PNG and PDF");
+  set_usage(*command, {"FIGURE.json... -o DIR|FILE", "MATERIAL.json... -q Q[,Q...] -o DIR|FILE"});
   command->add_option("files", flags->files, "Figures; with -q, materials")->type_name("FILE.json");
   command
       ->add_option("-q,--quantity", flags->quantities,

@@ -13,11 +13,13 @@
 namespace brdfplot::cli {
 
 void run_tasks(const std::vector<Task>& tasks, const Settings& settings) {
-  Progress progress(settings, tasks.size());
+  double work = 0;
+  for (const Task& task : tasks) work += task.work;
+  Progress progress(settings, tasks.size(), work);
   parallel_for(tasks.size(), settings.threads, [&](std::size_t index) {
-    progress.start(tasks[index].name);
+    progress.start(tasks[index].name, tasks[index].work);
     tasks[index].run();
-    progress.finish(tasks[index].name);
+    progress.finish(tasks[index].name, tasks[index].work);
   });
 }
 
@@ -43,7 +45,8 @@ void append_simulations(const std::vector<const plot::FigureDescription*>& figur
   const int count = static_cast<int>(simulations.size());
   const int threads = std::max(1, count > 0 ? settings.threads / count : 1);
   for (auto& task : simulations)
-    tasks.push_back({task.name, [run = std::move(task.run), &store, threads] { run(store, threads); }});
+    tasks.push_back({task.name, [run = std::move(task.run), &store, threads] { run(store, threads); },
+                     std::filesystem::exists(store.path(task.key)) ? 0 : task.work});
 }
 
 void add_cache_flag(CLI::App& command, std::string& folder) {

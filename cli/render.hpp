@@ -12,6 +12,7 @@ namespace brdfplot::cli {
 struct Task {
   std::string name;
   std::function<void()> run;
+  double work = 4e4; ///< how long it takes, roughly, in simulated paths (plot::SimulationTask); default: a figure's
 };
 
 /// All of them, on the threads that the settings say, with progress on stderr. The first failure in the order of the

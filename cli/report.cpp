@@ -175,6 +175,7 @@ int run(const ReportFlags& flags, const Settings& settings) {
 Command add_report(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<ReportFlags>();
   CLI::App* command = app.add_subcommand("report", "Every figure and table of a manifest, as a folder with a page");
+  set_usage(*command, {"[MANIFEST.json] -o DIR"});
   command->add_option("manifest", flags->manifest, "The report; default: the built-in one of Heitz 2014")
       ->type_name("MANIFEST.json");
   command->add_option("-o,--output", flags->output, "Folder of index.html, figures/, tables/ and report.json")

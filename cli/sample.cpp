@@ -44,6 +44,7 @@ int run(const SampleFlags& flags, const Settings& settings) {
 Command add_sample(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<SampleFlags>();
   CLI::App* command = app.add_subcommand("sample", "Directions of the light, drawn as a renderer draws them");
+  set_usage(*command, {"MATERIAL.json"});
   command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
   command->add_option("-i,--input", flags->input, "Viewers: columns theta_o phi_o, or x_o y_o z_o; default: stdin")
       ->type_name("FILE|-");

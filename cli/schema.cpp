@@ -15,6 +15,7 @@ Command add_schema(CLI::App& app) {
   std::string accepted;
   for (const auto& name : config::kinds()) accepted += (accepted.empty() ? "" : ", ") + name;
   CLI::App* command = app.add_subcommand("schema", "The JSON Schema that the reader of a kind of file enforces");
+  set_usage(*command, {"KIND"});
   command->add_option("kind", *kind, accepted)->type_name("KIND");
   command->footer(footer("brdfplot schema material"));
   const auto run = [kind, accepted] {

@@ -90,6 +90,7 @@ int run(const SimulateFlags& flags, const Settings& settings) {
 Command add_simulate(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<SimulateFlags>();
   CLI::App* command = app.add_subcommand("simulate", "Rays on a generated surface: masking, shadowing and lobes");
+  set_usage(*command, {"SCENE.json"});
   command->add_option("scene", flags->scene, "The surface, and what is measured on it")->type_name("SCENE.json");
   command
       ->add_option("-o,--output", flags->output,

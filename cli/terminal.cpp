@@ -72,7 +72,8 @@ bool colours_stdout(const Settings& settings) { return coloured(settings, STDOUT
 
 std::size_t output_width() { return std::clamp<std::size_t>(columns_of(STDOUT_FILENO, 100), 40, 120); }
 
-Progress::Progress(const Settings& settings, std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) == 1) {
+Progress::Progress(const Settings& settings, std::size_t total, double work)
+    : total_(total), all_work_(work), terminal_(isatty(STDERR_FILENO) == 1) {
   shown_ = settings.progress == "always" || (settings.progress == "auto" && terminal_ && !settings.quiet);
 }
 
@@ -80,14 +81,17 @@ Progress::~Progress() {
   if (shown_ && terminal_) write_to_stderr(clear_line);
 }
 
-void Progress::start(const std::string& name) {
+void Progress::start(const std::string& name, double work) {
   const std::lock_guard lock(mutex_);
+  running_work_ += work;
   running_.push_back(name);
   if (shown_ && terminal_) draw();
 }
 
-void Progress::finish(const std::string& name) {
+void Progress::finish(const std::string& name, double work) {
   const std::lock_guard lock(mutex_);
+  running_work_ -= work;
+  done_work_ += work;
   running_.erase(std::ranges::find(running_, name));
   ++done_;
   if (shown_) draw();
@@ -98,6 +102,8 @@ void Progress::set(std::size_t done, std::size_t total, const std::string& name)
   const bool next_percent = total_ != total || 100 * done / total > 100 * done_ / total;
   total_ = total;
   done_ = done;
+  all_work_ = static_cast<double>(total);
+  done_work_ = static_cast<double>(done);
   running_ = {name};
   if (shown_ && next_percent) draw();
 }
@@ -112,8 +118,10 @@ std::string Progress::line() const {
   std::ostringstream out;
   out << std::fixed << std::setprecision(1) << done_ << '/' << total_;
   if (done_ > 0) {
-    const double rate = static_cast<double>(done_) / seconds;
-    out << ", " << rate << "/s, " << static_cast<double>(total_ - done_) / rate << " s left";
+    out << ", " << static_cast<double>(done_) / seconds << "/s";
+    // What is running is half done, on average.
+    const double done = done_work_ + running_work_ / 2;
+    if (done > 0) out << ", " << seconds * (all_work_ - done) / done << " s left";
   }
   if (!running_.empty()) out << ": " << running_.back();
   return out.str();

@@ -29,14 +29,15 @@ std::size_t output_width();
 /// elsewhere (`--progress always`) a line for every task. Safe to call from several threads.
 class Progress {
 public:
-  explicit Progress(const Settings& settings, std::size_t total = 0);
+  explicit Progress(const Settings& settings, std::size_t total = 0, double work = 0);
   /// Clears the line.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void start(const std::string& name);
-  void finish(const std::string& name);
+  /// A task begins and ends; the time left is that of the work that is left.
+  void start(const std::string& name, double work);
+  void finish(const std::string& name, double work);
   /// For work in many small pieces: so many of `total` are done. Elsewhere than on a terminal a line a percent.
   void set(std::size_t done, std::size_t total, const std::string& name);
   /// A line of its own, where progress is shown.
@@ -50,6 +51,7 @@ private:
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   std::size_t total_ = 0;
   std::size_t done_ = 0;
+  double all_work_ = 0, done_work_ = 0, running_work_ = 0;
   std::vector<std::string> running_;
   bool shown_ = false;
   bool terminal_ = false;

@@ -37,6 +37,7 @@ int run(const std::vector<std::string>& files, const Settings& settings) {
 Command add_validate(CLI::App& app, const Settings& settings) {
   const auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("validate", "Check materials, figures and reports without computing");
+  set_usage(*command, {"FILE..."});
   command->add_option("files", *files, "The files, of any kind")->type_name("FILE");
   command->footer(footer("brdfplot validate configs/materials/ggx.json configs/materials/rough_gold.json"));
   return {command, [files, &settings] { return run(*files, settings); }};

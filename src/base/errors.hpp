@@ -30,7 +30,7 @@ public:
   FileError(const std::string& where, const std::string& what) : Error(3, where, what) {}
 };
 
-/// Nobody reads the pipe that is written to any more.
+/// Nobody reads standard output any more: who reads a part of it, as head does, has what he wanted.
 class ClosedPipe : public FileError {
 public:
   using FileError::FileError;

@@ -113,7 +113,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(int error) const {
-  if (error == EPIPE) throw ClosedPipe(echo(name_, shown_path), "cannot write: " + reason(error));
+  if (error == EPIPE && fd_ == STDOUT_FILENO)
+    throw ClosedPipe(echo(name_, shown_path), "cannot write: " + reason(error));
   throw FileError(echo(name_, shown_path), "cannot write: " + reason(error));
 }
 

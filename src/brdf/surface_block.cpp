@@ -96,14 +96,11 @@ DirectionPair direction_pair(const S& shadowing, const SlopeMap& map, const Dire
     return {azimuth_difference({o.x, o.y}, {i.x, i.y}), viewer, light};
 }
 
-/// c Lambda as a form of shadowing has it that brings its own, else as masking has it.
+/// Whether a form of shadowing brings its own c Lambda, whatever masks.
 template <class S>
-double masked_area_of(const S&, const Projection& p, const Direction& omega, double of_masking) {
-  if constexpr (requires { S::masked_area(p, omega); })
-    return S::masked_area(p, omega);
-  else
-    return of_masking;
-}
+constexpr bool masks_itself = requires(const Projection& p, const Direction& omega) {
+  S::masked_area(p, omega);
+};
 
 } // namespace
 
@@ -127,12 +124,19 @@ void set_directions(SurfaceBlock& block, std::size_t n, const Columns& o, const 
 
 namespace {
 
-/// Computes the masking of `omega`, one of the block's directions, unless it is there.
+/// Computes c and s of `omega`, one of the block's directions, unless they are there.
+void project_side(const Microsurface& surface, const SurfaceBlock& block, const Columns& omega, MaskedSide& side,
+                  SurfaceBlock::Side& done) {
+  if (std::exchange(done.projected, true)) return;
+  kernels::project(surface.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), block.n);
+}
+
+/// Computes its masking too.
 void compute_side(const Microsurface& surface, const SurfaceBlock& block, const Columns& omega, MaskedSide& side,
-                  bool& done) {
-  if (std::exchange(done, true)) return;
+                  SurfaceBlock::Side& done) {
+  if (std::exchange(done.masked, true)) return;
+  project_side(surface, block, omega, side, done);
   const std::size_t n = block.n;
-  kernels::project(surface.slopes().stretch(), vectors(omega), side.c.data(), side.s.data(), n);
   std::visit([&](const auto& distribution, const auto& masking) { mask_by(distribution, masking, block, omega, side); },
              surface.distribution, surface.masking);
   if (!surface.has_lambda()) return;
@@ -145,10 +149,13 @@ void compute_masking(const Microsurface& surface, SurfaceBlock& block) {
   compute_side(surface, block, block.o, block.viewer, block.done.viewer);
 }
 
-void compute_visibility(const Microsurface& surface, SurfaceBlock& block) {
-  if (std::exchange(block.done.visibility, true)) return;
+void compute_both_maskings(const Microsurface& surface, SurfaceBlock& block) {
   compute_side(surface, block, block.o, block.viewer, block.done.viewer);
   compute_side(surface, block, block.i, block.light, block.done.light);
+}
+
+void compute_visibility(const Microsurface& surface, SurfaceBlock& block) {
+  if (std::exchange(block.done.visibility, true)) return;
   const SlopeMap& map = surface.slopes();
   Buffer facing_viewer, facing_light;
   if (!block.has_half) {
@@ -156,19 +163,29 @@ void compute_visibility(const Microsurface& surface, SurfaceBlock& block) {
     kernels::careful_dots(vectors(block.i), vectors(block.m), facing_light.data(), block.n);
   }
   std::visit(
-      [&](const auto& shadowing) {
+      [&]<class S>(const S& shadowing) {
         const MaskedSide& v = block.viewer;
         const MaskedSide& l = block.light;
+        if constexpr (masks_itself<S>) {
+          project_side(surface, block, block.o, block.viewer, block.done.viewer);
+          project_side(surface, block, block.i, block.light, block.done.light);
+        } else {
+          compute_both_maskings(surface, block);
+        }
         for (std::size_t k = 0; k < block.n; ++k) {
           const Direction o = block.o[k], i = block.i[k];
           const bool facing = block.has_half || (facing_viewer[k] > 0 && facing_light[k] > 0);
           const bool lit = v.c[k] > 0 && l.c[k] > 0 && facing && block.m.z[k] > 0;
           const Projection viewer{v.c[k], v.s[k]}, light{l.c[k], l.s[k]};
           const DirectionPair pair = direction_pair(shadowing, map, o, viewer, i, light);
-          const double t_o = masked_area_of(shadowing, viewer, o, v.masked_area[k]);
-          const double t_i = masked_area_of(shadowing, light, i, l.masked_area[k]);
-          const double visibility =
-              shadowing.visibility({v.c[k], v.unmasked_area[k], t_o, l.c[k], l.unmasked_area[k], t_i, pair});
+          MaskedPair masked;
+          if constexpr (masks_itself<S>) {
+            const double t_o = S::masked_area(viewer, o), t_i = S::masked_area(light, i);
+            masked = {v.c[k], v.c[k] + t_o, t_o, l.c[k], l.c[k] + t_i, t_i, pair};
+          } else {
+            masked = {v.c[k], v.unmasked_area[k], v.masked_area[k], l.c[k], l.unmasked_area[k], l.masked_area[k], pair};
+          }
+          const double visibility = shadowing.visibility(masked);
           block.visibility[k] = lit ? visibility : 0;
         }
       },

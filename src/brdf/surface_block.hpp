@@ -22,8 +22,12 @@ struct MaskedSide {
 ///
 /// What is computed stays for the next quantity of the same rows, until set_directions().
 struct SurfaceBlock {
+  struct Side {
+    bool projected = false, masked = false;
+  };
   struct Done {
-    bool viewer = false, light = false, visibility = false, densities = false, white = false, reflectances = false;
+    Side viewer, light;
+    bool visibility = false, densities = false, white = false, reflectances = false;
   };
 
   std::size_t n = 0;
@@ -44,7 +48,11 @@ void set_directions(SurfaceBlock& block, std::size_t n, const Columns& o, const 
 /// Computes the masking of the viewer's direction.
 void compute_masking(const Microsurface& surface, SurfaceBlock& block);
 
-/// Computes the masking of both directions, and G2 / (c_o c_i): 0 where it is undefined or a side is hidden.
+/// Computes the masking of both directions.
+void compute_both_maskings(const Microsurface& surface, SurfaceBlock& block);
+
+/// Computes G2 / (c_o c_i): 0 where it is undefined or a side is hidden; and c and s of both directions, and their
+/// masking unless the form of shadowing brings its own.
 void compute_visibility(const Microsurface& surface, SurfaceBlock& block);
 
 /// Computes D(m).

@@ -32,6 +32,7 @@ public:
     check_content();
     if (kind_ == plot::Kind::profile) return profile(std::move(out));
     if (kind_ == plot::Kind::spheres) return sphere(scope, std::move(out));
+    if (object_.contains("autocorrelation")) return autocorrelation(std::move(out));
     return curves(scope, std::move(out));
   }
 
@@ -106,7 +107,7 @@ private:
     for (const auto& contour : contours)
       out.contours.push_back({contour["label"].get<std::string>(), contour["level"].get<double>()});
     const Json arrows = object_.value("arrows", Json::array());
-    for (const auto& arrow : arrows) out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope));
+    for (const auto& arrow : arrows) out.arrows.push_back(to_arrow(arrow.get<std::string>(), scope, out.x.column));
     return out;
   }
 
@@ -132,6 +133,26 @@ private:
     return out;
   }
 
+  /// Lines that are the autocorrelation of a surface.
+  plot::PanelDescription autocorrelation(plot::PanelDescription out) const {
+    constexpr double farthest = 2000;
+    const std::string at = step(pointer_, "autocorrelation");
+    if (kind_ != plot::Kind::lines) file_.fail(at, "only a panel of kind \"lines\" has \"autocorrelation\"");
+    for (const char* key : {"series", "value", "material", "at", "compare_to", "arrows", "contours", "for_each"})
+      if (object_.contains(key))
+        file_.fail(step(pointer_, key), "an autocorrelation has no \"" + std::string(key) + "\"");
+    out.x = axis("x", true);
+    out.y = axis("y", false);
+    const std::string place = axis_place("x");
+    if (out.x.column != "distance")
+      file_.fail(place, "found \"variable\": \"" + out.x.column + "\"; accepted for an autocorrelation: distance");
+    if (!(out.x.from >= 0 && out.x.to <= farthest))
+      file_.fail(place, "found from = " + format_number(out.x.from) + " and to = " + format_number(out.x.to) +
+                            "; accepted: distances within [0, " + format_number(farthest) + "]");
+    out.autocorrelation = read_autocorrelation(file_, object_, pointer_);
+    return out;
+  }
+
   /// `compare_to` of a panel.
   plot::Term compared(const SeriesContext& context, const Scope& scope, const plot::PanelDescription& panel) const {
     const std::string at = step(pointer_, "compare_to");
@@ -142,13 +163,14 @@ private:
     if (kind_ != plot::Kind::polar || panel.x.column != "theta_i" || !lobe)
       file_.fail(at, "accepted: in a polar plot over theta_i, \"brdf_cos\" simulated by \"surface\"");
     const Expression& first = panel.series.at(0).value;
-    if (first.operation != Expression::Operation::term ||
+    if (first.operation != Expression::Operation::term || first.term.quantity != "brdf_cos" ||
         (first.term.simulate && first.term.simulate->source != "bins"))
-      file_.fail(at, "the first series is no computed quantity");
+      file_.fail(at, "the first series is no computed \"brdf_cos\"");
     return reference.term;
   }
 
-  plot::Arrow to_arrow(const std::string& name, const Scope& scope) const {
+  /// Positive angles are on the viewer's side of the plot, unless the azimuth of what is swept is opposite to his.
+  plot::Arrow to_arrow(const std::string& name, const Scope& scope, const std::string& swept) const {
     const std::string variable = name == "omega_i" ? "theta_i" : "theta_o";
     const auto& directions = plot::direction_variables();
     plot::Configuration angles({});
@@ -156,8 +178,12 @@ private:
       if (std::ranges::find(directions, setting.variable) != directions.end()) angles.set(setting);
     const auto theta = angles.angle(variable);
     if (!theta) file_.fail(pointer_ + "/arrows", "\"" + name + "\" needs \"" + variable + "\" in the panel's \"at\"");
-    if (name == "mirror") return {"mirror", -*theta, false};
-    return {name == "omega_o" ? "ω_o" : "ω_i", *theta, name == "omega_i"};
+    if (name == "omega_i") return {"ω_i", *theta, true};
+    const auto phi = [&](const std::string& of) { return angles.angle("phi_" + of).value_or(0); };
+    const bool opposite = swept.starts_with("theta_") && std::cos(phi(swept.substr(6)) - phi("o")) < -1e-9;
+    const double viewer = opposite ? -*theta : *theta;
+    if (name == "mirror") return {"mirror", -viewer, false};
+    return {"ω_o", viewer, false};
   }
 
   const PanelContext& context_;

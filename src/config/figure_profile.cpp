@@ -1,17 +1,50 @@
 #include "config/figure_profile.hpp"
 
 #include "config/model_json.hpp"
+#include "figure/profile/autocorrelation.hpp"
 #include "figure/profile/panel.hpp"
 
 namespace brdfplot::config {
 
+namespace {
+
+Field surface_field(bool required, const std::string& doc) {
+  return {"surface", named("profile_surface", [] { return model(specs_of<plot::ProfileSurface>()); }), required, doc};
+}
+Field seed_field() { return {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"}; }
+Field along_field() { return {"along", choice({"x", "y"}), false, "direction of the cut; default x"}; }
+
+/// The keys that every use of a surface has.
+template <class Description>
+void read_surface(const Json& object, Description& out) {
+  out.surface = to_choice<plot::ProfileSurface>(object["surface"]);
+  out.seed = static_cast<std::uint64_t>(object.value("seed", 1.0));
+  out.along_y = object.value("along", "x") == "y";
+}
+
+} // namespace
+
+ShapePtr autocorrelation_shape() {
+  return named("autocorrelation", [] {
+    return object({surface_field(true, "whose heights: gaussian, ggx or uncorrelated"), seed_field(), along_field()});
+  });
+}
+
+plot::AutocorrelationDescription read_autocorrelation(const JsonFile& file, const Json& panel,
+                                                      const std::string& pointer) {
+  plot::AutocorrelationDescription out;
+  read_surface(panel["autocorrelation"], out);
+  if (const auto problem = plot::problem_of(out))
+    file.fail(pointer + "/autocorrelation/" + problem->key, problem->what);
+  return out;
+}
+
 ShapePtr profile_shape() {
   return named("profile", [] {
     return object(
-        {{"surface", named("profile_surface", [] { return model(specs_of<plot::ProfileSurface>()); }), false,
-          "what is cut by the plane of incidence"},
-         {"seed", whole_number(0, 2147483647), false, "of the random numbers; default 1"},
-         {"along", choice({"x", "y"}), false, "direction of the cut; default x"},
+        {surface_field(false, "what is cut by the plane of incidence"),
+         seed_field(),
+         along_field(),
          {"cut", whole_number(0, 65535), false, "which of the parallel cuts, or pair of V-cavities; default 0"},
          {"from", whole_number(0, 1000000), false, "first facet drawn; default 0"},
          {"cells", whole_number(1, 2000), false, "facets drawn; default 64"},
@@ -43,9 +76,7 @@ plot::ProfileDescription read_profile(const JsonFile& file, const Json& panel, c
   };
   if (!merged.contains("surface")) file.fail(pointer + "/profile", "\"surface\" is missing here and above");
   plot::ProfileDescription out;
-  out.surface = to_choice<plot::ProfileSurface>(merged["surface"]);
-  out.seed = static_cast<std::uint64_t>(merged.value("seed", 1.0));
-  out.along_y = merged.value("along", "x") == "y";
+  read_surface(merged, out);
   const auto whole = [&](const char* key, int& value) { value = static_cast<int>(merged.value(key, double(value))); };
   whole("cut", out.cut);
   whole("from", out.from);

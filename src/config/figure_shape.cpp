@@ -153,6 +153,9 @@ ShapePtr panel() {
          {"series", array(series(), 1, most_series), false, "what is drawn"},
          {"profile", profile_shape(), false, "profile: what is drawn; replaces keys of the figure's profile"},
          {"sphere", sphere_shape(), false, "spheres: a sphere of the material; replaces keys of the figure's sphere"},
+         {"autocorrelation", autocorrelation_shape(), false,
+          "lines: the correlation of a surface's heights with those at a distance, over that in facets; x has "
+          "\"variable\": \"distance\""},
          {"compare_to", expression(), false,
           "polar: a lobe simulated by \"surface\", with which that of the first series is compared in numbers"},
          {"arrows", array(choice({"omega_o", "omega_i", "mirror"}), 1, 3), false,
@@ -161,7 +164,7 @@ ShapePtr panel() {
           array(object({{"label", text(), true, "in the legend"}, {"level", number(), true, "value"}}), 1, 100), false,
           "heat map: lines of a level"},
          {"for_each", for_each(), false, "one panel for each value"}},
-        {{"series"}, {"profile"}, {"sphere"}});
+        {{"series"}, {"profile"}, {"sphere"}, {"autocorrelation"}});
   });
 }
 

@@ -3,6 +3,7 @@
 #include "figure/contour.hpp"
 #include "figure/description.hpp"
 #include "figure/numbers.hpp"
+#include "figure/profile/autocorrelation.hpp"
 #include "figure/profile/panel.hpp"
 #include "figure/sampling.hpp"
 #include "figure/series/compare.hpp"
@@ -10,6 +11,7 @@
 #include "figure/spheres/panel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -52,11 +54,23 @@ std::string place(const FigureDescription& figure, const PanelDescription& panel
   return where + call("series", panel.series.at(*series).label, static_cast<std::ptrdiff_t>(*series));
 }
 
-/// Series of one label share a style, in the order in which labels appear; the channels of one family do.
+/// Series of one label share a style, in the order in which labels appear; the channels of one family do. Beside
+/// channels the others leave the colours of red, green and blue, the first three of the palette, to them.
 class Styles {
 public:
+  explicit Styles(const FigureDescription& figure)
+      : beside_channels_(std::ranges::any_of(figure.panels, [](const PanelDescription& panel) {
+          const auto coloured =
+              std::ranges::count_if(panel.series, [](const auto& one) { return one.hue.has_value(); });
+          return coloured > 0 && coloured < std::ssize(panel.series);
+        })) {}
+
   int of(const SeriesDescription& series) {
-    return series.hue ? place_of(series.family, families_) : place_of(series.label, labels_);
+    if (series.hue) return place_of(series.family, families_);
+    const int place = place_of(series.label, labels_);
+    constexpr std::array<int, 4> left = {6, 3, 4, 5}; // of seven colours; ink first
+    constexpr int count = static_cast<int>(left.size());
+    return beside_channels_ ? left[static_cast<std::size_t>(place % count)] + 7 * (place / count) : place;
   }
 
 private:
@@ -67,6 +81,7 @@ private:
     return static_cast<int>(index);
   }
 
+  bool beside_channels_;
   std::vector<std::string> labels_, families_;
 };
 
@@ -181,7 +196,7 @@ void fill_curves(const FigureDescription& figure, const PanelDescription& descri
   naming(place(figure, description, 0), [&] {
     const SimulatedTerm simulated(*description.compare_to, {description.x.column});
     panel.notes = compare_lobes(description.series[0].value.term, simulated, simulated_points(description, simulated),
-                                figure.tolerance, simulator.store, simulator.threads);
+                                simulator.store, simulator.threads);
     for (const Note& note : panel.notes)
       if (!std::isfinite(note.value))
         throw AccuracyError(note.label, "found " + format_number(note.value) + ", accepted: a finite number");
@@ -221,12 +236,13 @@ Figure compute(const FigureDescription& description, simulation::Store& store, i
                 description.columns,
                 description.share,
                 {}};
-  Styles styles;
+  Styles styles(description);
   FirstValues first;
   const auto computed = [&](const PanelDescription& from) {
     const Kind kind = kind_in(description, from);
     if (kind == Kind::profile) return naming(place(description, from), [&] { return profile_panel(from); });
     if (kind == Kind::spheres) return naming(place(description, from), [&] { return sphere_panel(from, threads); });
+    if (from.autocorrelation) return naming(place(description, from), [&] { return autocorrelation_panel(from); });
     Panel panel{from.title, from.x, from.y, {}, from.arrows, from.value, {}, {}, {}};
     if (kind == Kind::heatmap)
       naming(place(description, from, 0), [&] { fill_heatmap(description, from, panel); });
@@ -257,10 +273,11 @@ std::vector<SimulationTask> simulations(const FigureDescription& description) {
     for (auto& job : term.jobs(x)) {
       if (!keys.insert(job.key).second) continue;
       const std::string key = job.key;
+      const double work = term.work(job);
       auto run = [term, job = std::move(job)](simulation::Store& store, int threads) {
         store.get(job.key, [&] { return term.run(job, threads); });
       };
-      tasks.push_back({key, where, std::move(run)});
+      tasks.push_back({key, where, std::move(run), work});
     }
   };
   for (const auto& panel : description.panels) {

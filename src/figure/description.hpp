@@ -106,6 +106,13 @@ struct ProfileDescription {
   std::vector<std::string> numbers{}; ///< measured on the whole surface: see profile_numbers()
 };
 
+/// The correlation of heights with those at a distance, of a surface that a profile may be cut from: a curve.
+struct AutocorrelationDescription {
+  ModelChoice surface; ///< with heights: see surface.hpp
+  std::uint64_t seed = 1;
+  bool along_y = false;
+};
+
 /// What lights a sphere. Directions go from it to the light: theta from the direction of the viewer, phi from the right
 /// of the picture, counterclockwise (radians).
 struct Light {
@@ -136,8 +143,9 @@ struct PanelDescription {
   std::optional<Term> compare_to;              ///< a simulated lobe with which series[0] is compared: see compare.hpp
   std::optional<ProfileDescription> profile{}; ///< profile: instead of series
   std::optional<SphereDescription> sphere{};   ///< spheres: instead of series
-  bool drawn = true;                           ///< else for the CSV and the numbers of the caption alone
-  std::optional<Kind> kind{};                  ///< where it is not the figure's
+  std::optional<AutocorrelationDescription> autocorrelation{}; ///< lines: instead of series
+  bool drawn = true;          ///< else for the CSV and the numbers of the caption alone
+  std::optional<Kind> kind{}; ///< where it is not the figure's
 };
 
 struct FigureDescription {
@@ -176,6 +184,7 @@ struct SimulationTask {
   std::string key; ///< tasks of one key are the same
   std::string name;
   std::function<void(simulation::Store& store, int threads)> run;
+  double work = 0; ///< roughly, in paths on a surface
 };
 
 /// Everything that compute() will want from the store, once each.

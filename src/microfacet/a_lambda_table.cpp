@@ -16,11 +16,12 @@ constexpr double smallest = 1e-300;
 constexpr double narrowest = 1e-3; ///< of the intervals in x = ln(1 + a)
 constexpr std::size_t node_count = 21;
 
-struct Quadrature {
-  LogDensity log_density;
-  DensityHints hints;
+/// What is interpolated, and how small the last coefficients have to be.
+struct Source {
+  std::function<double(double)> a_lambda;
+  double tail = 0;
 
-  double operator()(double a) const { return a_lambda_by_quadrature(log_density, a, hints); }
+  double operator()(double a) const { return a_lambda(a); }
 };
 
 struct Piece {
@@ -56,11 +57,11 @@ const std::array<std::array<double, node_count>, node_count>& chebyshev() {
 }
 
 /// Interpolates at the Chebyshev points of `piece`; whether the last coefficients are small enough.
-bool fit(const Quadrature& quadrature, Piece& piece) {
+bool fit(const Source& source, Piece& piece) {
   std::array<double, node_count> y;
   for (std::size_t k = 0; k < node_count; ++k) {
     const double x = 0.5 * (piece.from + piece.to) + 0.5 * (piece.to - piece.from) * chebyshev()[1][k];
-    const double value = quadrature(std::expm1(x));
+    const double value = source(std::expm1(x));
     if (!(value > smallest)) return false;
     y[k] = std::log(value);
   }
@@ -72,20 +73,20 @@ bool fit(const Quadrature& quadrature, Piece& piece) {
     if (j + 4 >= node_count) tail = std::max(tail, std::fabs(piece.coefficients[j]));
   }
   // The rounding of the logarithm itself is in the coefficients.
-  return tail < std::max(2e-12, 1e-15 * std::fabs(piece.coefficients[0]));
+  return tail < std::max(source.tail, 1e-15 * std::fabs(piece.coefficients[0]));
 }
 
-void add(const Quadrature& quadrature, double from, double to, std::vector<Piece>& pieces) {
+void add(const Source& source, double from, double to, std::vector<Piece>& pieces) {
   Piece piece{from, to};
-  piece.resolved = fit(quadrature, piece);
-  if (!piece.resolved) piece.vanishes = !(quadrature(std::expm1(from)) > smallest);
+  piece.resolved = fit(source, piece);
+  if (!piece.resolved) piece.vanishes = !(source(std::expm1(from)) > smallest);
   if (piece.resolved || piece.vanishes || to - from < narrowest) {
     pieces.push_back(piece);
     return;
   }
   const double middle = 0.5 * (from + to);
-  add(quadrature, from, middle, pieces);
-  add(quadrature, middle, to, pieces);
+  add(source, from, middle, pieces);
+  add(source, middle, to, pieces);
 }
 
 } // namespace
@@ -93,7 +94,7 @@ void add(const Quadrature& quadrature, double from, double to, std::vector<Piece
 /// The range of x in blocks, each of which is made whole at its first use.
 class ALambdaTable::Blocks {
 public:
-  explicit Blocks(Quadrature quadrature) : quadrature_(std::move(quadrature)) {}
+  explicit Blocks(Source source) : source_(std::move(source)) {}
 
   double operator()(double a) {
     const double x = std::log1p(a);
@@ -104,7 +105,7 @@ public:
       if (piece.resolved) return piece(x);
       if (piece.vanishes) return 0;
     }
-    return quadrature_(a);
+    return source_(a);
   }
 
 private:
@@ -115,7 +116,7 @@ private:
       const std::lock_guard lock(mutex_);
       if (!ready_[block].load(std::memory_order_relaxed)) {
         std::vector<Piece> pieces;
-        add(quadrature_, starts[block], starts[block + 1], pieces);
+        add(source_, starts[block], starts[block + 1], pieces);
         pieces_[block] = std::move(pieces);
         ready_[block].store(true, std::memory_order_release);
       }
@@ -123,14 +124,21 @@ private:
     return pieces_[block];
   }
 
-  Quadrature quadrature_;
+  Source source_;
   std::array<std::vector<Piece>, starts.size()> pieces_;
   std::array<std::atomic<bool>, starts.size()> ready_{};
   std::mutex mutex_;
 };
 
 ALambdaTable::ALambdaTable(LogDensity log_density, DensityHints hints)
-    : blocks_(std::make_shared<Blocks>(Quadrature{std::move(log_density), std::move(hints)})) {}
+    : blocks_(std::make_shared<Blocks>(Source{[density = std::move(log_density), hints = std::move(hints)](double a) {
+                                                return a_lambda_by_quadrature(density, a, hints);
+                                              },
+                                              2e-12})) {}
+
+ALambdaTable ALambdaTable::of_exact(std::function<double(double)> a_lambda) {
+  return ALambdaTable(std::make_shared<Blocks>(Source{std::move(a_lambda), 1e-13}));
+}
 
 double ALambdaTable::operator()(double a) const { return (*blocks_)(a); }
 

@@ -76,6 +76,32 @@ TEST_CASE("progress") {
     CHECK(check_output(folder, "brdfplot plot a.json -o out " + std::string(flags)) == "");
 }
 
+TEST_CASE("the first estimate of the time left knows that long tasks come first") {
+  const Folder folder;
+  // One simulation of a million paths, and then six of a few: by their number the rest would take six times as long.
+  const auto series = [](const std::string& alpha, const std::string& paths) {
+    return R"({"quantity": "brdf_cos", "label": ")" + alpha + R"(", "at": {"alpha": )" + alpha +
+           R"(}, "simulate": {"source": "surface", "paths": )" + paths +
+           R"(, "realisations": 2, "cells": 64, "samples": 9}})";
+  };
+  std::string all = series("0.5", "1000000");
+  for (const char* alpha : {"0.6", "0.7", "0.8", "0.9", "1.0", "1.1"}) all += ", " + series(alpha, "2000");
+  folder.write("a.json", R"({"id": "a", "kind": "polar", "title": "T", "caption": "C",
+    "material": {"distribution": {"type": "beckmann", "alpha": 0.5}}, "at": {"theta_o": 1},
+    "x": {"variable": "theta_i", "from": "-90deg", "to": "90deg"}, "panels": [{"series": [)" +
+                             all + "]}]}");
+  const auto began = std::chrono::steady_clock::now();
+  const Outcome outcome = run(folder, "brdfplot plot a.json -o out --progress always --threads 1 --cache ''");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const auto left = outcome.err.find(" s left");
+  REQUIRE(left != std::string::npos);
+  CHECK(outcome.err.starts_with("1/8, "));
+  const auto comma = outcome.err.rfind(", ", left);
+  CHECK(std::stod(outcome.err.substr(comma + 2, left - comma - 2)) < seconds);
+}
+
 TEST_CASE("figures that fail leave the folder as it was") {
   const Folder folder;
   fs::create_directory(folder.path() / "out");

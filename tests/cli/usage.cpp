@@ -35,6 +35,31 @@ TEST_CASE("version and help") {
     CHECK(help.find(flag) != std::string::npos);
 }
 
+TEST_CASE("the help of a command says what it cannot do without") {
+  const Folder folder;
+  // "plot: needs FIGURE.json, or ..." and "eval: needs MATERIAL.json": the usage names it too.
+  for (const auto& command : commands) {
+    const Outcome bare = run(folder, "brdfplot " + command + " < /dev/null");
+    const auto at = bare.err.find(command + ": needs ");
+    const std::string help = check_output(folder, "brdfplot " + command + " -h");
+    const auto first = help.find("Usage: brdfplot " + command + " ");
+    REQUIRE(first != std::string::npos);
+    const std::string usage = help.substr(first, help.find("\n\n", first) - first);
+    INFO(usage);
+    if (at == std::string::npos) continue; // nothing is needed, or a file that is there by default
+    const std::string needs = bare.err.substr(at + command.size() + 8);
+    INFO(needs);
+    CHECK(usage.find(needs.substr(0, needs.find_first_of(",.:; "))) != std::string::npos);
+  }
+  for (const auto& [command, needed] :
+       std::vector<std::pair<std::string, std::string>>{{"eval", "MATERIAL.json -q Q[,Q...] [OPTIONS]"},
+                                                        {"plot", "-q Q[,Q...] -o DIR|FILE [OPTIONS]"},
+                                                        {"bake", "(-o TABLE | --json)"},
+                                                        {"report", "-o DIR"},
+                                                        {"convert", "-o FILE.binary"}})
+    CHECK(check_output(folder, "brdfplot help " + command).find(needed) != std::string::npos);
+}
+
 TEST_CASE("the example of every help works as printed") {
   const Folder folder;
   for (const auto& command : commands) {

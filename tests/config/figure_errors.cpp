@@ -384,6 +384,16 @@ TEST_CASE("figures: the numbers of a caption") {
   CHECK(contains(error_with("{n}", R"({"series": "s", "take": "largest"})", "heatmap"), "/numbers/n/series: not used"));
 }
 
+TEST_CASE("figures: what is swept is not fixed as well, which would be a flat line") {
+  const std::string swept = "which is swept by /x; accepted: one of the two, or to fix it within an operand";
+  check_all({
+      {R"("at": {"theta_m": 0.3}, )" + series, "", "/panels/0/at/theta_m", "\"theta_m\" fixes \"theta_m\", " + swept},
+      {series, R"("at": {"slope": 0.3})", "/at/slope", "\"slope\" fixes \"theta_m\", " + swept},
+      {R"("series": [{"quantity": "d", "for_each": {"variable": "theta_m", "values": [0.1, 0.2]}}])", "",
+       "/panels/0/series/0/for_each/values/0", swept},
+  });
+}
+
 TEST_CASE("figures: names in labels and titles are those of for_each") {
   check_all({
       {R"("series": [{"label": "α = {alpa}", "quantity": "d", "for_each": {"variable": "alpha", "values": [0.1, 0.2]}}])",

@@ -1,9 +1,11 @@
 #include "config/load.hpp"
 #include "draw/model.hpp"
+#include "draw/style.hpp"
 #include "figure/description.hpp"
 #include "temp_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -86,6 +88,53 @@ TEST_CASE("figures: a panel has what its kind draws") {
   check(R"({"kind": "rose", "series": [{"quantity": "d"}]})", "/panels/0/kind");
 }
 
+TEST_CASE("figures: the autocorrelation of a surface's heights is a curve, beside the law that it was made with") {
+  const auto panel = [](const std::string& surface, const std::string& keys = "", const std::string& to = "16") {
+    return R"({"title": "c", "kind": "lines", "x": {"variable": "distance", "from": 0, "to": )" + to +
+           R"(}, "autocorrelation": {"surface": )" + surface + "}" + keys + "}";
+  };
+  const std::string gaussian =
+      R"({"type": "gaussian", "alpha": 0.5, "samples": 256, "correlation_length": 6, "autocorrelation": "exponential"})";
+  const std::string uncorrelated = R"({"type": "uncorrelated", "alpha": 0.5})";
+  const auto figure = plot::compute(load(figure_text("", panel(gaussian) + "," + panel(uncorrelated))));
+  REQUIRE(figure.panels.at(0).series.size() == 2);
+  const auto& measured = figure.panels[0].series[0];
+  const auto& law = figure.panels[0].series[1];
+  REQUIRE(measured.x.size() == 17);
+  CHECK(measured.y[0] == 1);
+  CHECK(measured.y[6] == doctest::Approx(std::exp(-1)).epsilon(0.2)); // one surface of some 40^2 lengths
+  CHECK(law.label == "exp(−d/L)");
+  CHECK(law.y.back() == doctest::Approx(std::exp(-16.0 / 6)));
+  REQUIRE(figure.panels.at(1).series.size() == 1); // it has no other law than 1 at 0
+  CHECK(std::fabs(figure.panels[1].series[0].y[1]) < 0.05);
+  CHECK(contains(plot::to_csv(figure), "panel,series,distance,value\nc,measured,0,1\n"));
+
+  const auto check = [&](const std::string& text, const std::string& what) {
+    const std::string error = error_in(figure_text("", text));
+    CHECK_MESSAGE(contains(error, what), error);
+  };
+  check(panel(R"({"type": "v_cavity", "alpha": 0.5})"), "known of gaussian, ggx and uncorrelated");
+  check(panel(gaussian, R"(, "at": {"theta_o": 0})"), "/panels/0/at: an autocorrelation has no \"at\"");
+  check(panel(gaussian, "", "3000"), "accepted: distances within [0, 2000]");
+  check(R"({"kind": "polar", "autocorrelation": {"surface": )" + gaussian + "}}", "only a panel of kind \"lines\"");
+  check(R"({"x": {"variable": "theta_o", "from": 0, "to": 1}, "autocorrelation": {"surface": )" + gaussian + "}}",
+        "accepted for an autocorrelation: distance");
+}
+
+TEST_CASE("figures: arrows stand on the viewer's side, also where the light's azimuth is opposite to his") {
+  const auto angles = [](const std::string& at) {
+    std::vector<double> out;
+    const std::string panel = lobe_panel(R"({"quantity": "brdf"})", at);
+    const auto figure =
+        load(figure_text(ggx, panel.substr(0, panel.size() - 1) + R"(, "arrows": ["omega_o", "mirror"]})"));
+    for (const auto& arrow : figure.panels[0].arrows) out.push_back(std::round(arrow.theta * 180 / 3.14159265358979));
+    return out;
+  };
+  CHECK(angles(R"("theta_o": "60deg")") == std::vector<double>{60, -60});
+  CHECK(angles(R"("theta_o": "60deg", "phi_o": "20deg", "phi_i": "phi_o")") == std::vector<double>{60, -60});
+  CHECK(angles(R"("theta_o": "60deg", "phi_i": "phi_o+180deg")") == std::vector<double>{-60, 60});
+}
+
 TEST_CASE("figures: rgb draws what is coloured thrice, in the colours of its channels") {
   const std::string lobe = R"({"quantity": "brdf"})";
   const auto figure = load(figure_text(gold + R"("channel": "rgb", )", g1_panel + "," + lobe_panel(lobe)));
@@ -112,6 +161,17 @@ TEST_CASE("figures: rgb draws what is coloured thrice, in the colours of its cha
   CHECK(drawn[3].style == 1);
   CHECK(drawn[5].hue == plot::Hue::blue);
   CHECK_FALSE(drawn[6].hue);
+  CHECK(drawn[6].style == 6); // ink: blue, and red with dashes, are the channels'
+  const auto one_grey =
+      load(figure_text(gold + R"("materials": {"tin": {"distribution": {"type": "ggx", "alpha": 0.3}}}, )",
+                       lobe_panel(R"({"quantity": "brdf", "channel": "rgb", "label": "gold"},
+        {"quantity": "brdf", "material": "tin", "label": "tin"}, {"quantity": "g1", "at": {"theta_m": 0}, "label": "G1"})")));
+  std::vector<plot::Look> looks;
+  for (const auto& one : plot::compute(one_grey).panels[0].series)
+    if (!one.hue) looks.push_back(plot::look_of(one.style, one.ramp, 0));
+  CHECK(looks.size() == 2);
+  for (const auto& look : looks)
+    for (const char* channel : {"s0", "s1", "s2"}) CHECK(look.colour != channel);
 
   const auto looped = load(figure_text(
       gold, lobe_panel(R"({"quantity": "brdf", "for_each": {"variable": "channel", "values": ["b", "luminance"]}})")));

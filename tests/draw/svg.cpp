@@ -80,6 +80,24 @@ TEST_CASE("a panel whose only series has no label needs no legend") {
   CHECK(count(to_svg(figure), "bp-legend") == 0);
 }
 
+TEST_CASE("the legend shows what is measured as it is drawn: a dot with a bar, a line on its band") {
+  const auto in_legend = [](const std::string& svg) { return svg.substr(svg.find("class=\"bp-legend\"")); };
+  const auto entries = [&](Figure figure, bool measured) {
+    figure.panels.resize(1);
+    auto& series = figure.panels[0].series[0];
+    if (measured) series.error.assign(series.x.size(), 0.01);
+    const auto legend = in_legend(to_svg(figure));
+    return legend.substr(0, legend.find("class=\"bp-panel\""));
+  };
+  const auto parts = [](const std::string& legend) { // dots and bands; lines and bars
+    return std::pair{count(legend, "class=\"bp-f-s0\""), count(legend, "<path class=\"bp-no bp-s0\"")};
+  };
+  CHECK(parts(entries(plot_tests::lines_figure(), true)) == std::pair{1, 2});
+  CHECK(parts(entries(plot_tests::lines_figure(), false)) == std::pair{0, 1});
+  CHECK(parts(entries(plot_tests::polar_figure(), true)) == std::pair{1, 1});
+  CHECK(parts(entries(plot_tests::polar_figure(), false)) == std::pair{0, 1});
+}
+
 TEST_CASE("NaN breaks a line, and a point on its own is a dot") {
   auto figure = plot_tests::lines_figure();
   auto& y = figure.panels[0].series[0].y;

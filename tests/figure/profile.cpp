@@ -159,7 +159,7 @@ TEST_CASE("profiles: independent facets are visible as Smith says, and do not kn
   choice.values.set("samples", 200000.0);
   const Cuts cuts(choice, 1, false);
   const Profile profile = cuts.profile(0);
-  CHECK(std::fabs(autocorrelation(cuts, cuts.correlation_length())) < 0.01);
+  CHECK(std::fabs(autocorrelation(cuts, {cuts.correlation_length()}).front()) < 0.01);
   for (const Distortion distortion : {Distortion{1, 0}, Distortion{2, 0.4}})
     for (const double angle : {-75.0, 0.0, 40.0, 80.0}) {
       const double theta = angle * degree;
@@ -195,7 +195,14 @@ TEST_CASE("profiles: generated surfaces have the autocorrelation and the slopes 
       for (const Segment& s : cuts.profile(k).facets) squares += (s.h1 - s.h0) * (s.h1 - s.h0) / 65536;
     CHECK(2 * squares == doctest::Approx(along_y ? 0.09 : 0.36).epsilon(1e-3));
     // Heights are less steep along y, over twice the distance.
-    CHECK(autocorrelation(cuts, along_y ? 16 : 8) == doctest::Approx(std::exp(-1)).epsilon(0.05));
+    const auto measured = autocorrelation(cuts, {0, 4, along_y ? 16u : 8u, 40});
+    CHECK(measured[0] == 1);
+    CHECK(measured[2] == doctest::Approx(std::exp(-1)).epsilon(0.05));
+    // As the law has it, but for facets that are chords; far apart what is left is chance.
+    REQUIRE(cuts.law());
+    CHECK(cuts.law()->length == doctest::Approx(along_y ? 16 : 8));
+    CHECK(measured[1] == doctest::Approx(cuts.law()->at(4)).epsilon(0.02));
+    CHECK(std::fabs(measured[3] - cuts.law()->at(40)) < 0.05);
   }
 }
 

@@ -226,6 +226,38 @@ TEST_CASE("a lobe is compared in numbers with rays on surfaces") {
   CHECK(std::fabs(smith[1].value) < 10 * degree);
 }
 
+TEST_CASE("a lobe is compared with rays in its own plane, where phi_i follows phi_o") {
+  // Anisotropic, so that the azimuth counts.
+  const TermDescription material = general("beckmann", 1, 0.5, 0);
+  const auto notes = [&](const std::vector<Setting>& azimuths) {
+    std::vector<Setting> at = {{"theta_o", 1.2}};
+    at.insert(at.end(), azimuths.begin(), azimuths.end());
+    Term rays{"brdf_cos", material, at, Simulate{}};
+    rays.simulate->source = "surface";
+    rays.simulate->bounces = "1";
+    rays.simulate->paths = 20000;
+    rays.simulate->realisations = 3;
+    rays.simulate->cells = 128;
+    rays.simulate->samples = 18;
+    auto description = figure("theta_i", -std::numbers::pi / 2, std::numbers::pi / 2,
+                              {Term{"brdf_cos", material, at, {}}}, Kind::polar);
+    description.panels[0].compare_to = rays;
+    return compute(description).panels.at(0).notes;
+  };
+  const double phi = 50 * degree;
+  const auto fixed = notes({{"phi_o", phi}, {"phi_i", phi}});
+  const auto tied = notes({{"phi_o", phi}, {"phi_i", Tie{"phi_o", 1, 0}}});
+  const auto turned = notes({{"phi_o", phi}, {"phi_i", Tie{"phi_o", 1, std::numbers::pi}}});
+  const auto viewer = notes({{"phi_i", phi}, {"phi_o", Tie{"phi_i", 1, 0}}});
+  REQUIRE(fixed.size() == 2);
+  CHECK(fixed[0].value < 0.3); // of what is another lobe on the wrong side: near 2
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const auto& other : {tied, turned, viewer}) {
+      CHECK(other[k].value == doctest::Approx(fixed[k].value).epsilon(1e-6));
+      CHECK(other[k].error == doctest::Approx(fixed[k].error).epsilon(1e-6));
+    }
+}
+
 TEST_CASE("rays on an anisotropic surface keep the azimuth, from the normal and on either side of the viewer") {
   // Smoother along y, and stretched along the diagonal: azimuths of opposite sign differ.
   const auto measured = [](const TermDescription& material, double theta_o, double phi_i) {

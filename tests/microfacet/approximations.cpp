@@ -1,6 +1,7 @@
 // The approximations of real-time rendering to masking and shadowing, against the equations as they are printed, with
 // 50 digits.
 #include "../materials.hpp"
+#include "base/errors.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <doctest/doctest.h>
@@ -65,6 +66,22 @@ TEST_CASE("approximations: Hammon's shadowing is Eq. 9.45 and Neubelt's that of 
           CHECK(std::isfinite(value(n, Quantity::brdf_cos, o, i)));
         }
     }
+}
+
+TEST_CASE("approximations: shadowing that does without Lambda asks for none") {
+  // A formula of Lambda that is no number is an error where it is asked.
+  for (const auto* shadowing : {"hammon", "neubelt", "height_correlated"}) {
+    TermDescription term = shadowed(describe("velvet", 0.5, "custom"), shadowing);
+    term.masking.values.set("lambda", std::string("log(cos_theta - 2)"));
+    const Material m = build(term);
+    const Direction o = from_angles(1.2, 0), i = from_angles(0.7, 2);
+    INFO(shadowing);
+    if (shadowing == std::string("height_correlated"))
+      CHECK_THROWS_AS(value(m, Quantity::brdf, o, i), InputError);
+    else
+      CHECK(value(m, Quantity::brdf, o, i) ==
+            value(build(shadowed(describe("velvet", 0.5), shadowing)), Quantity::brdf, o, i));
+  }
 }
 
 TEST_CASE("approximations: with them a mirror is F D / (4 V) as printed") {

@@ -57,6 +57,20 @@ TEST_CASE("sheen: Lambda where half of the power is a whole number, and the seri
   CHECK(relative(lambda(material("sheen", 0.25), o), 0.5 * ((1 + s2 - s2 * s2 / 8) / o.z - 1)) < 1e-13);
 }
 
+TEST_CASE("sheen: Lambda by its table is that by its integral, for every roughness and angle") {
+  double worst = 0;
+  for (double alpha = 1e-6; alpha <= 1e6; alpha *= 4.7) {
+    const Material m = material("sheen", alpha);
+    const SheenProfile& profile = std::get<Sheen>(m.surface().distribution).profile;
+    REQUIRE(profile.table);
+    CHECK(profile.a_lambda(infinity) == 0);
+    for (double a = 0; a < 1e80; a = a < 1e-9 ? a + 1e-10 : a < 30 ? 1.17 * a : 3 * a * a)
+      worst = std::fmax(worst, relative(profile.a_lambda(a), profile.exact_a_lambda(a)));
+  }
+  MESSAGE("largest relative difference: " << worst);
+  CHECK(worst < 5e-13);
+}
+
 TEST_CASE("velvet: P22 where the base has all the weight but 1e-14, or next to none") {
   struct Row {
     double alpha, amplitude, slope, p22;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace brdfplot {
 
@@ -15,10 +16,8 @@ namespace {
 /// What the text of the number is worth in double.
 double written(double value, bool single) { return *parse_number(shortest_digits(value, single)); }
 
-/// By how much the error of a fit may be larger between the samples of fit_lambda() than at them. On grids 4 to 12
-/// times as dense it was found larger by 2e-3 in two variables, and by less than 1e-6 in one.
-constexpr double between_lines = 1.005;
-constexpr double between_points = 1.0001;
+/// What a parabola through three samples leaves out of a maximum, and samples a maximum's neighbours.
+constexpr double beyond_parabola = 2, beyond_samples = 1.0001;
 
 /// The error of Lambda is given from 0.01 on, and grows as Lambda falls: it is taken from the sample beyond that.
 constexpr double least_lambda = 0.009;
@@ -119,15 +118,42 @@ Rounding rounding_at(const FitTarget& target, const FitCode& code, const FitSamp
   return out;
 }
 
+/// By how much |e| is larger between a sample and its neighbours than at it, by the parabola through the three; 0 where
+/// it is no maximum. All of one distance by number, as places of sample() all but are.
+double rise(double before, double at, double after) {
+  const double sign = at < 0 ? -1 : 1, low = sign * before, high = sign * after, top = sign * at;
+  if (!(top >= low && top >= high && 2 * top > low + high)) return 0;
+  return (high - low) * (high - low) / (8 * (2 * top - low - high));
+}
+
+/// The error of a fit at each sample, as large as it may be between that one and the next ones.
+std::vector<double> errors_about(const LambdaFit& fit, const FitSamples& samples) {
+  const std::size_t n = samples.samples.size(), line = samples.per_line;
+  std::vector<double> at(n), about(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const FitSample& s = samples.samples[k];
+    at[k] = fit.relative_error(s.a, s.y, s.lambda);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t place = k % line;
+    double more = 0;
+    if (place > 0 && place + 1 < line) more += rise(at[k - 1], at[k], at[k + 1]);
+    if (k >= line && k + line < n) more += rise(at[k - line], at[k], at[k + line]);
+    about[k] = beyond_samples * (std::fabs(at[k]) + beyond_parabola * more);
+  }
+  return about;
+}
+
 template <class Machine>
 FitAccuracy accuracy(const FitTarget& target, const FitCode& code, const FitSamples& samples) {
   FitAccuracy out;
   const LambdaFit fit = without_rounding(code, target);
-  const double between = target.parameter ? between_lines : between_points;
+  const std::vector<double> errors = errors_about(fit, samples);
   const double of_projection = target.by_cosine() ? 0 : error_of_projection<Machine>(target.slopes);
-  for (const FitSample& s : samples.samples) {
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const FitSample& s = samples.samples[k];
     const Rounding rounding = rounding_at<Machine>(target, code, s, of_projection);
-    const double of_fit = between * std::fabs(fit.relative_error(s.a, s.y, s.lambda));
+    const double of_fit = errors[k];
     const double error = of_fit + rounding.g1 * (1 + of_fit);
     if (!(error <= out.relative.error)) out.relative = {error, s};
     out.absolute = std::max(out.absolute, error / (1 + s.lambda));

@@ -48,6 +48,7 @@ void evaluate_whole(const Mirror& mirror, const WholeKernel& kernel, bool times_
 /// two directions see. The half vector is not rounded on the way.
 void evaluate_by_heights(const Mirror& mirror, kernels::Distribution distribution, bool times_cosine,
                          SurfaceBlock& block, const ChannelRows& out) {
+  compute_both_maskings(mirror.surface, block);
   compute_visibility(mirror.surface, block);
   const MaskedSide& v = block.viewer;
   const MaskedSide& l = block.light;

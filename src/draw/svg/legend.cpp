@@ -15,6 +15,8 @@ constexpr double sample_width = 34;
 constexpr double sample_gap = 7;
 constexpr double entry_gap = 20;
 constexpr double legend_dot_radius = 4;
+constexpr double legend_band = 9;
+constexpr double measured_bar = 5;
 
 /// One drawn thing that may need an entry.
 struct Item {
@@ -37,14 +39,22 @@ Look look_of_hue(Hue hue, int style) {
   return {std::string(names[static_cast<std::size_t>(hue)]), style};
 }
 
+/// As the series is drawn.
+LegendEntry::Sample sample_of(const Series& series, Kind kind) {
+  if (!series.names.empty()) return LegendEntry::Sample::dot;
+  if (series.error.empty()) return LegendEntry::Sample::line;
+  if (kind != Kind::polar) return LegendEntry::Sample::measured;
+  const bool exact = std::ranges::all_of(series.error, [](double error) { return error == 0; });
+  return exact ? LegendEntry::Sample::line : LegendEntry::Sample::band;
+}
+
 std::vector<Item> items_of(const Panel& panel, Kind kind, const std::vector<std::string>& contour_labels) {
   std::vector<Item> items;
   if (kind == Kind::spheres) return items; // what they show is no line
   if (kind != Kind::heatmap) {
     for (const auto& series : panel.series)
-      items.push_back({series.label, series.style, series.ramp, series.hue,
-                       series.names.empty() ? LegendEntry::Sample::line : LegendEntry::Sample::dot,
-                       kind == Kind::profile});
+      items.push_back(
+          {series.label, series.style, series.ramp, series.hue, sample_of(series, kind), kind == Kind::profile});
     return items;
   }
   for (const auto& contour : panel.contours) {
@@ -121,7 +131,7 @@ bool has_undefined_cells(const Panel& panel) {
 
 namespace {
 
-/// Profiles beside other kinds keep their legends: their colours are those of sight.
+/// Profiles beside other kinds have a legend of theirs, under the first one's title: their colours are those of sight.
 bool stands_alone(const Figure& figure, const Panel& panel) {
   const auto profile = [&](const Panel& one) { return kind_in(figure, one) == Kind::profile; };
   return profile(panel) && !std::ranges::all_of(figure.panels, profile);
@@ -141,11 +151,23 @@ LegendPlan plan_legend(const Figure& figure) {
   std::vector<Item> all;
   for (const auto& list : common) add_distinct(all, list);
 
+  std::vector<Item> alone;
+  std::optional<std::size_t> first_alone;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!stands_alone(figure, figure.panels[i])) continue;
+    if (!first_alone) first_alone = i;
+    add_distinct(alone, items[i]);
+  }
+
   plan.own.resize(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool profile = stands_alone(figure, figure.panels[i]);
     std::vector<Item> own;
-    add_distinct(own, items[i]);
-    const bool share = can && !stands_alone(figure, figure.panels[i]);
+    if (!profile)
+      add_distinct(own, items[i]);
+    else if (i == first_alone)
+      own = alone;
+    const bool share = can && !profile;
     if (!share) plan.own[i] = entries_of(own);
     plan.looks.emplace_back();
     for (const auto& item : items[i]) plan.looks.back().push_back(look_in(item, share ? all : own));
@@ -190,6 +212,31 @@ LegendLayout lay_out_legend(const std::vector<LegendEntry>& entries, double widt
   return layout;
 }
 
+void append_error_bar(PathData& bars, double x, double top, double bottom) {
+  constexpr double cap = 2.5;
+  bars.move({x, top});
+  bars.line({x, bottom});
+  for (const double end : {top, bottom}) {
+    bars.move({x - cap, end});
+    bars.line({x + cap, end});
+  }
+}
+
+namespace {
+
+/// A dot with its bar, on the line that joins the dots.
+void draw_measured_sample(SvgWriter& svg, const Look& look, Point from, Point to) {
+  const double x = (from.x + to.x) / 2;
+  PathData bar, dot;
+  append_error_bar(bar, x, from.y - measured_bar, from.y + measured_bar);
+  dot.dot({x, from.y}, measured_radius);
+  svg.line(from, to, {"bp-no bp-" + look.colour, measured_line, dash(look.dash), {}});
+  svg.path(bar, {"bp-no bp-" + look.colour, 1.2, {}, {}});
+  svg.path(dot, {"bp-f-" + look.colour, 0, {}, {}});
+}
+
+} // namespace
+
 void draw_legend(SvgWriter& svg, const LegendLayout& legend, Point corner) {
   if (legend.placed.empty()) return;
   svg.open_group("bp-legend");
@@ -209,7 +256,14 @@ void draw_legend(SvgWriter& svg, const LegendLayout& legend, Point corner) {
     } else if (placed.entry.sample == LegendEntry::Sample::contour) {
       svg.line({at.x, y}, to, {"bp-no bp-halo", 4, {}, {}});
       svg.line({at.x, y}, to, {"bp-no bp-contour", 1.6, dash(look.dash), {}});
+    } else if (placed.entry.sample == LegendEntry::Sample::measured) {
+      draw_measured_sample(svg, look, {at.x, y}, to);
     } else {
+      if (placed.entry.sample == LegendEntry::Sample::band) {
+        PathData band;
+        band.rectangle({at.x, y - legend_band / 2, sample_width, legend_band});
+        svg.path(band, {"bp-f-" + look.colour, 0, {}, " fill-opacity=\"0.35\""});
+      }
       svg.line({at.x, y}, to, {"bp-no bp-" + look.colour, 2, dash(look.dash), {}});
     }
     svg.lines({at.x + sample_width + sample_gap, at.y}, placed.text, Anchor::start);

@@ -10,8 +10,22 @@
 
 namespace brdfplot::plot {
 
+/// How points with errors look: radius of the dot, width of the line that joins them.
+inline constexpr double measured_radius = 2.4;
+inline constexpr double measured_line = 1;
+
+/// An upright bar with caps.
+void append_error_bar(PathData& bars, double x, double top, double bottom);
+
 struct LegendEntry {
-  enum class Sample { line, dot, contour, undefined };
+  enum class Sample {
+    line,
+    dot,
+    measured, ///< a dot with its bar, on the line that joins them
+    band,     ///< a line on its band
+    contour,
+    undefined,
+  };
   std::string label;
   Look look;
   Sample sample = Sample::line;

@@ -88,24 +88,17 @@ namespace {
 
 /// Dots with bars of two standard errors.
 void draw_measured(SvgWriter& svg, const PanelPlan& plan, const Series& series, const Look& look) {
-  constexpr double cap = 2.5;
-  constexpr double radius = 2.4;
   const auto upper = upper_bounds(series), lower = lower_bounds(series);
   PathData bars, dots;
   for (std::size_t k = 0; k < series.y.size(); ++k) {
     const Point middle = to_point(plan, series.x[k], series.y[k]);
     if (std::isnan(middle.x) || std::isnan(middle.y)) continue;
-    dots.dot(middle, radius);
+    dots.dot(middle, measured_radius);
     const double top = to_point(plan, series.x[k], upper[k]).y;
     double bottom = to_point(plan, series.x[k], lower[k]).y;
-    if (std::isnan(bottom)) bottom = plan.plot.bottom() + cap; // below zero on a logarithmic axis
-    if (std::isnan(top) || bottom - top < 2 * radius) continue;
-    bars.move({middle.x, top});
-    bars.line({middle.x, bottom});
-    for (const double end : {top, bottom}) {
-      bars.move({middle.x - cap, end});
-      bars.line({middle.x + cap, end});
-    }
+    if (std::isnan(bottom)) bottom = plan.plot.bottom() + 2 * measured_radius; // below zero on a logarithmic axis
+    if (std::isnan(top) || bottom - top < 2 * measured_radius) continue;
+    append_error_bar(bars, middle.x, top, bottom);
   }
   svg.path(bars, {"bp-no bp-" + look.colour, 1.2, {}, key_attribute(look)});
   svg.path(dots, {"bp-f-" + look.colour, 0, {}, key_attribute(look)});
@@ -131,7 +124,8 @@ void draw_lines(SvgWriter& svg, const PanelPlan& plan) {
     empty = empty && path.empty();
     const bool measured = !series.error.empty();
     const Look& look = plan.looks[i];
-    svg.path(path, {"bp-no bp-line bp-" + look.colour, measured ? 1.0 : 2.0, dash(look.dash), key_attribute(look)});
+    svg.path(path,
+             {"bp-no bp-line bp-" + look.colour, measured ? measured_line : 2.0, dash(look.dash), key_attribute(look)});
     if (measured) draw_measured(svg, plan, series, look);
   }
   draw_named_points(svg, plan);

@@ -36,7 +36,7 @@ void add_numbers(const ProfileDescription& description, const Cuts& cuts, Panel&
   const auto count = static_cast<double>(all.size());
   for (const std::string& name : description.numbers) {
     if (name == "autocorrelation") {
-      const double value = autocorrelation(cuts, cuts.correlation_length());
+      const double value = autocorrelation(cuts, {cuts.correlation_length()}).front();
       const std::string what = cuts.is_independent() ? "neighbouring heights" : "heights one correlation length apart";
       note(what + ": correlation " + decimal_label(value, 2), "autocorrelation", value);
     } else if (name == "theta_m") {

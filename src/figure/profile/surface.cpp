@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <type_traits>
 
 namespace brdfplot::plot {
 
@@ -47,6 +48,13 @@ Profile uncorrelated(const UncorrelatedSurface& surface, std::uint64_t seed) {
 
 /// The slopes' roughness in the plane of a cut.
 double alpha_along(const SlopeMap& slopes, bool along_y) { return along_y ? slopes.alpha_y : slopes.alpha_x; }
+
+/// Lengths along the axes go with 1 / sqrt(covariance), and the mesh's is along that of the steepest slopes.
+HeightLaw law_of(const simulation::RandomMesh& mesh, bool along_y) {
+  const auto slopes = simulation::covariance(mesh.slopes);
+  const double steepest = (slopes.xx + slopes.yy) / 2 + std::hypot((slopes.xx - slopes.yy) / 2, slopes.xy);
+  return {mesh.autocorrelation, mesh.correlation_length * std::sqrt(steepest / (along_y ? slopes.yy : slopes.xx))};
+}
 
 Microsurface model_of(ModelChoice distribution, const std::string& masking) {
   return build_microsurface({.distribution = std::move(distribution), .masking = {.type = masking}, .shadowing = {}});
@@ -128,6 +136,8 @@ Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_
           correlation_length_ = realisation.correlation_length;
           alpha_ = alpha_along(of.asked().value(), along_y);
           if (!cavities_) slopes_ = of.target().value().type;
+          if constexpr (std::is_same_v<std::decay_t<decltype(of)>, simulation::GaussianSurface>)
+            law_ = law_of(of.mesh, along_y);
         } else if constexpr (requires { of.alpha; }) {
           only_ = uncorrelated(of, seed);
           slopes_ = of.slopes;
@@ -189,22 +199,27 @@ std::size_t Cuts::correlation_length() const {
   return static_cast<std::size_t>(std::max(std::lround(correlation_length_), 1L));
 }
 
-double autocorrelation(const Cuts& cuts, std::size_t distance) {
-  double products = 0, squares = 0;
+double HeightLaw::at(double distance) const {
+  const double t = distance / length;
+  return std::exp(shape == simulation::Autocorrelation::gaussian ? -t * t : -t);
+}
+
+std::vector<double> autocorrelation(const Cuts& cuts, const std::vector<std::size_t>& distances) {
+  std::vector<double> products(distances.size());
+  double squares = 0;
   for (std::size_t k = 0; k < cuts.count(); ++k) {
     throw_if_interrupted();
     const Profile profile = cuts.profile(k);
     const std::size_t count = profile.facets.size();
-    const auto height = [&](std::size_t i) {
-      const Segment& s = profile.facets[i % count];
-      return (s.h0 + s.h1) / 2;
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      products += height(i) * height(i + distance);
-      squares += height(i) * height(i);
-    }
+    std::vector<double> heights;
+    for (const Segment& s : profile.facets) heights.push_back((s.h0 + s.h1) / 2);
+    for (const double h : heights) squares += h * h;
+    for (std::size_t d = 0; d < distances.size(); ++d)
+      for (std::size_t i = 0; i < count; ++i) products[d] += heights[i] * heights[(i + distances[d]) % count];
   }
-  return squares > 0 ? products / squares : 0;
+  if (squares > 0)
+    for (double& product : products) product /= squares;
+  return products;
 }
 
 } // namespace brdfplot::plot

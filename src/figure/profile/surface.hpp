@@ -62,6 +62,14 @@ std::optional<ParameterError> problem_of(const ModelChoice& choice);
 /// How many parallel cuts there are of a surface without a problem.
 std::size_t cut_count(const ModelChoice& choice);
 
+/// An autocorrelation of heights: exp(-(d / length)^2), or exp(-d / length).
+struct HeightLaw {
+  simulation::Autocorrelation shape = simulation::Autocorrelation::gaussian;
+  double length = 1; ///< in facets
+
+  [[nodiscard]] double at(double distance) const;
+};
+
 /// The parallel cuts through one surface.
 class Cuts {
 public:
@@ -82,6 +90,9 @@ public:
   [[nodiscard]] double theta_m(std::size_t k) const;
   [[nodiscard]] bool is_independent() const { return only_.independent.has_value(); }
 
+  /// The autocorrelation that the surface is made with, along the cuts; none where it has no closed form.
+  [[nodiscard]] const std::optional<HeightLaw>& law() const { return law_; }
+
   /// The distance at which the autocorrelation of heights is 1/e, in facets; of independent ones that of neighbours, 1.
   [[nodiscard]] std::size_t correlation_length() const;
 
@@ -96,9 +107,10 @@ private:
   bool along_y_ = false;
   std::size_t count_ = 1;
   double correlation_length_ = 0;
+  std::optional<HeightLaw> law_{};
 };
 
-/// Mean of h(x) h(x + distance) over that of h^2, over all cuts.
-double autocorrelation(const Cuts& cuts, std::size_t distance);
+/// Mean of h(x) h(x + distance) over that of h^2, over all cuts, for each distance in facets.
+std::vector<double> autocorrelation(const Cuts& cuts, const std::vector<std::size_t>& distances);
 
 } // namespace brdfplot::plot

@@ -46,6 +46,7 @@ public:
     return {{"brdf_cos", means}};
   }
 
+  double work(const Term&, const Points&) const override { return 0; }
   std::string output(const Term& term) const override { return term.quantity; }
   bool is_binned(const Term&) const override { return true; }
 

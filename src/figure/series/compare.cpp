@@ -14,29 +14,21 @@ namespace {
 using simulation::Estimates;
 using simulation::Measured;
 
-/// The lobe's means over the bins: middle points of a grid along the plane of incidence and across it.
-std::vector<double> binned(const Term& lobe, const SimulatedTerm& simulated, const std::vector<double>& theta_i,
-                           double tolerance) {
-  constexpr int along = 8, across = 8;
-  constexpr std::size_t all = std::size_t{along} * across;
-  const TermFunction function(lobe, {"theta_i", "phi_i"}, tolerance);
-  const double phi_o = function.fixed().angle("phi_o").value_or(0);
-  const double width = theta_i[1] - theta_i[0];
-  const double sin_half_width = std::sin(simulated.simulate().half_width);
-  SweptColumns at(2);
-  for (const double theta : theta_i)
-    for (int k = 0; k < along; ++k)
-      for (int l = 0; l < across; ++l) {
-        const double a = theta + width * ((k + 0.5) / along - 0.5);
-        const double b = std::asin(sin_half_width * (2 * (l + 0.5) / across - 1));
-        const Direction i{std::cos(b) * std::sin(a), std::sin(b), std::cos(b) * std::cos(a)};
-        at[0].push_back(std::atan2(std::hypot(i.x, i.y), i.z));
-        at[1].push_back(phi_o + std::atan2(i.y, i.x));
-      }
-  const std::vector<double> values = function(at);
-  std::vector<double> out(theta_i.size(), 0);
-  for (std::size_t k = 0; k < values.size(); ++k) out[k / all] += values[k] / all;
-  return out;
+/// The lobe's means over the bins.
+std::vector<double> binned(Term lobe, const SimulatedTerm& simulated, const std::vector<double>& theta_i,
+                           simulation::Store& store, int threads) {
+  lobe.simulate = simulated.simulate();
+  lobe.simulate->source = bins_source().name();
+  std::vector<double> means;
+  for (const Measured& mean : SimulatedTerm(lobe, {"theta_i"}).measure(theta_i, store, threads))
+    means.push_back(mean.value);
+  return means;
+}
+
+/// 1 where theta_i is positive on the viewer's side, -1 where it is on the other one, as with phi_i = phi_o + 180deg.
+double viewers_side(const Term& lobe) {
+  const Configuration::Ready at = SweptConfiguration(lobe, {"theta_i"}).at({1});
+  return at.o && at.i && at.o->x * at.i->x + at.o->y * at.i->y < 0 ? -1 : 1;
 }
 
 /// A statistic of the mean of all estimates, with its standard error by the jackknife.
@@ -90,12 +82,13 @@ std::string with_error(const Measured& measured, double unit, bool sign) {
 } // namespace
 
 std::vector<Note> compare_lobes(const Term& lobe, const SimulatedTerm& simulated, const std::vector<double>& theta_i,
-                                double tolerance, simulation::Store& store, int threads) {
-  const std::vector<double> f = binned(lobe, simulated, theta_i, tolerance);
+                                simulation::Store& store, int threads) {
+  const std::vector<double> f = binned(lobe, simulated, theta_i, store, threads);
+  const double side = viewers_side(lobe);
   const Estimates g = simulated.estimates(theta_i, store, threads);
   const Measured apart = jackknife(g, [&](const std::vector<double>& mean) { return distance(f, mean); });
-  const Measured shift =
-      jackknife(g, [&](const std::vector<double>& mean) { return mean_angle(theta_i, f) - mean_angle(theta_i, mean); });
+  const Measured shift = jackknife(
+      g, [&](const std::vector<double>& mean) { return side * (mean_angle(theta_i, f) - mean_angle(theta_i, mean)); });
   return {
       {"distance\u00a0" + with_error(apart, 0.01, false) + "\u00a0%", "distance", apart.value, apart.standard_error},
       {"mean\u00a0" + with_error(shift, std::numbers::pi / 180, true) + "°", "shift of the mean theta_i", shift.value,

@@ -14,6 +14,6 @@ namespace brdfplot::plot {
 /// by leaving out one surface at a time. The distance holds the noise of g: where f is right, it is not 0 but about
 /// the relative error of a bin.
 std::vector<Note> compare_lobes(const Term& lobe, const SimulatedTerm& simulated, const std::vector<double>& theta_i,
-                                double tolerance, simulation::Store& store, int threads);
+                                simulation::Store& store, int threads);
 
 } // namespace brdfplot::plot

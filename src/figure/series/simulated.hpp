@@ -30,6 +30,8 @@ public:
   virtual std::string key(const Term& term, const Points& points) const = 0;
   /// Each output has one point for each of `points`, or one for all.
   virtual simulation::Result run(const Term& term, const Points& points, int threads) const = 0;
+  /// How long run() takes, roughly, in paths on a surface.
+  virtual double work(const Term& term, const Points& points) const = 0;
   /// Which output the term shows.
   virtual std::string output(const Term& term) const = 0;
   /// Whether the points are the middles of bins, rather than places from end to end.
@@ -53,6 +55,9 @@ public:
   };
   std::vector<Job> jobs(const std::vector<double>& x) const;
   simulation::Result run(const Job& job, int threads) const { return source_->run(term_, job.points, threads); }
+
+  /// How long run() takes, roughly, in paths on a surface.
+  double work(const Job& job) const { return source_->work(term_, job.points); }
 
   /// The independent estimates of measure(). \throws InputError where the points have different numbers of them.
   simulation::Estimates estimates(const std::vector<double>& x, simulation::Store& store, int threads) const;

@@ -156,6 +156,8 @@ public:
     return out;
   }
 
+  double work(const Term& term, const Points&) const override { return static_cast<double>(term.simulate->paths); }
+
   std::string output(const Term& term) const override {
     return is_g1(term) || is_g2(term) ? term.quantity : term.quantity + "/" + term.simulate->bounces;
   }

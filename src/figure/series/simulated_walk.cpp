@@ -88,6 +88,12 @@ public:
     return out;
   }
 
+  /// A path of the walk meets no surface that it has to be followed on.
+  double work(const Term& term, const Points& points) const override {
+    constexpr double of_one = 0.05;
+    return of_one * static_cast<double>(term.simulate->paths) * static_cast<double>(points.size());
+  }
+
   std::string output(const Term& term) const override { return term.quantity + "/" + term.simulate->bounces; }
 
   bool is_binned(const Term&) const override { return false; }

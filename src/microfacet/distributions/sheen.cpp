@@ -1,5 +1,8 @@
 #include "microfacet/distributions/sheen.hpp"
 
+#include "base/number.hpp"
+#include "microfacet/remembered.hpp"
+
 #include <boost/math/quadrature/exp_sinh.hpp>
 
 #include <numbers>
@@ -47,7 +50,13 @@ ModelSpec SheenProfile::spec() {
           .alternatives = {{"alpha"}, {"roughness"}}};
 }
 
-SheenProfile SheenProfile::from(const Values& values) { return {alpha_from(values)}; }
+SheenProfile SheenProfile::from(const Values& values) {
+  const double alpha = alpha_from(values);
+  return {alpha, remembered<ALambdaTable>("sheen " + format_number(alpha), [alpha] {
+            return ALambdaTable::of_exact(
+                [profile = SheenProfile{alpha}](double a) { return profile.exact_a_lambda(a); });
+          })};
+}
 
 double SheenProfile::p22(double r2) const {
   const double m = half_power();
@@ -61,7 +70,7 @@ double SheenProfile::density(double sin2, double z) const {
   return std::numbers::inv_pi * (1 + m) * std::exp(m * log_sin2);
 }
 
-double SheenProfile::a_lambda(double a) const {
+double SheenProfile::exact_a_lambda(double a) const {
   const double m = half_power();
   const double mu = a * width();
   const double sin_theta = 1 / std::hypot(1.0, mu);

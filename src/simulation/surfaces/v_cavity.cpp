@@ -21,7 +21,7 @@ constexpr std::array shapes = {&beckmann_slopes, &ggx_slopes};
 ModelSpec VCavitySurface::spec() {
   ModelSpec spec{.type = "v_cavity",
                  .doc = "a ridged surface for every pair of a normal and its mirror image",
-                 .source = "Torrance and Sparrow 1967; Heitz 2014, section 3.3",
+                 .source = "Torrance and Sparrow 1967; Heitz 2014, section 4.2",
                  .parameters = SlopeMap::parameters(),
                  .alternatives = SlopeMap::alternatives()};
   spec.parameters.push_back({.key = "slopes",

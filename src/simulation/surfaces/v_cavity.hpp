@@ -9,7 +9,7 @@
 
 namespace brdfplot::simulation {
 
-/// Torrance and Sparrow 1967; Cook and Torrance 1982; Heitz 2014, section 3.3 and Eqs. 44-49. A realisation is as many
+/// Torrance and Sparrow 1967; Cook and Torrance 1982; Heitz 2014, section 4.2 and Eqs. 44-49. A realisation is as many
 /// ridged surfaces as `pairs`, of equal area seen from above; the slopes are drawn from the distribution, P22, so that
 /// a normal has the area that D gives it. Under a shear the mirror image is taken at the tilted mesosurface.
 struct VCavitySurface {
