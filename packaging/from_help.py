@@ -1,9 +1,9 @@
-"""Man pages and completions, made from what `brdfplot --help` and `brdfplot COMMAND --help` print.
+"""Man pages, completions and schemas, made from what `brdfplot --help`, `brdfplot COMMAND --help` and `brdfplot schema` print.
 
     from_help.py BRDFPLOT FOLDER
 
 FOLDER gets man/brdfplot.1 and man/brdfplot-COMMAND.1, compressed as Debian wants them, and completions/brdfplot.bash,
-completions/_brdfplot (zsh) and completions/brdfplot.fish. Commands, flags and the words that a flag accepts stand in them;
+completions/_brdfplot (zsh), completions/brdfplot.fish, and schemas/KIND.json, which the "$schema" of the configs names. Commands, flags and the words that a flag accepts stand in them;
 the names of models and quantities are asked of `brdfplot list` when they are completed.
 
 A help that this does not understand is an error: nothing is left out without a word.
@@ -171,10 +171,11 @@ def man_entries(title: str, entries: list[Entry]) -> list[str]:
 
 def man_page(command: str, of: Help, version: str, pages: list[str]) -> str:
     name = f"brdfplot-{command}" if command else "brdfplot"
-    arguments = of.usage.removeprefix("brdfplot").strip().removeprefix(command).strip()
+    usages = [line.strip().removeprefix("brdfplot").strip().removeprefix(command).strip() for line in of.usage.splitlines()]
+    synopsis = "\n.br\n".join(rf"\fB{roff(name.replace('-', ' '))}\fR {roff(usage)}" for usage in usages)
     lines = [rf'.\" {MADE}', f'.TH {roff(name.upper())} 1 "" "{version}" "brdfplot"',
              ".SH NAME", rf"{roff(name)} \- {roff(of.summary)}",
-             ".SH SYNOPSIS", rf"\fB{roff(name.replace('-', ' '))}\fR {roff(arguments)}"]
+             ".SH SYNOPSIS", synopsis]
     lines += man_entries("ARGUMENTS", of.arguments) + man_entries("OPTIONS", of.flags) + man_entries("COMMANDS", of.commands)
     lines.append(".SH NOTES")
     for k, note in enumerate(of.notes):
@@ -184,7 +185,7 @@ def man_page(command: str, of: Help, version: str, pages: list[str]) -> str:
     others = [page for page in pages if page != name]
     lines += [rf"\fB{roff(page)}\fR(1)" + "," * (page != others[-1]) for page in others]
     # A line that begins with a dot would be a request.
-    return "\n".join(lines[:1] + [re.sub(r"(?m)^\.(?![A-Z]|nf|fi|ad|nh)", r"\&.", line) for line in lines[1:]]) + "\n"
+    return "\n".join(lines[:1] + [re.sub(r"(?m)^\.(?![A-Z]|nf|fi|ad|nh|br)", r"\&.", line) for line in lines[1:]]) + "\n"
 
 
 # --- bash ---
@@ -512,7 +513,9 @@ def main(brdfplot: str, folder: Path) -> None:
     man = {f"{page}.1.gz": gzip.compress(man_page(command, helps[command], version, list(pages.values())).encode(), 9, mtime=0)
            for command, page in pages.items()}
     completions = {"brdfplot.bash": bash(helps).encode(), "_brdfplot": zsh(helps).encode(), "brdfplot.fish": fish(helps).encode()}
-    for made, files in (("man", man), ("completions", completions)):
+    kinds = helps["schema"].arguments[0].complete[1:]
+    schemas = {f"{kind}.json": subprocess.run([brdfplot, "schema", kind], check=True, capture_output=True).stdout for kind in kinds}
+    for made, files in (("man", man), ("completions", completions), ("schemas", schemas)):
         (folder / made).mkdir(parents=True, exist_ok=True)
         for old in (folder / made).iterdir():
             old.unlink()  # of a command that is no more

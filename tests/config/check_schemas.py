@@ -3,7 +3,8 @@
     check_schemas.py BINARY CONFIGS   runs `BINARY schema KIND` and `BINARY validate FILE`
 
 Every file in CONFIGS, and every document below, is put both to the schema (python3-jsonschema, draft 2020-12) and to
-the reader. Faults that a schema cannot express are tested with the reader.
+the reader. Faults that a schema cannot express are tested with the reader. Every file in CONFIGS names its schema by
+"$schema", where an installation has it.
 """
 
 import copy
@@ -65,10 +66,12 @@ SPHERES = {
                {"sphere": {"pixels": 64, "lights": [{"type": "sphere", "theta": 0, "radius": "10deg", "radiance": 1}]}}],
 }
 GONE = object()
+# Kinds whose files name their schema.
+NAMED = ("material", "scene", "advice")
 
 # Kind, where, what is put there (GONE: taken away).
 GOOD = [
-    ("material", "/$schema", "https://example.org/material.json"),
+    *((kind, "/$schema", "https://example.org/material.json") for kind in BASES),
     ("material", "/name", "α"),
     ("material", "/facet", "specular"),
     ("material", "/facet", "diffuse"),
@@ -202,6 +205,7 @@ BAD = [
     ("report", "/entries/0/section", GONE),
     ("report", "/entries/0/table/alpha", GONE),
     # Types
+    *((kind, "/$schema", 1) for kind in BASES),
     ("material", "", []),
     ("material", "", 3),
     ("material", "/name", 1),
@@ -322,6 +326,8 @@ class Checker:
             text = subprocess.run([binary, "schema", kind], check=True, capture_output=True, text=True).stdout
             schema = json.loads(text)
             jsonschema.Draft202012Validator.check_schema(schema)
+            if schema.get("$id") != f"https://brdfplot.example/schemas/{kind}.json":
+                self.faults.append(f"the schema of {kind} is called {schema.get('$id')}")
             self.validators[kind] = jsonschema.Draft202012Validator(schema)
 
     def reader_accepts(self, path: Path) -> bool:
@@ -357,7 +363,10 @@ def main(binary: Path, configs: Path) -> int:
             if not files:
                 checker.faults.append(f"no {kind} in {configs}")
             for file in files:
-                checker.check(str(file), kind, json.loads(file.read_text(encoding="utf-8")), True, file)
+                document = json.loads(file.read_text(encoding="utf-8"))
+                if kind in NAMED and document.get("$schema") != f"../schemas/{kind}.json":
+                    checker.faults.append(f"{file}: its \"$schema\" is not \"../schemas/{kind}.json\"")
+                checker.check(str(file), kind, document, True, file)
                 count += 1
         for kind, document in BASES.items():
             checker.check(kind, kind, document, True)
