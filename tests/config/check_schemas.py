@@ -1,6 +1,7 @@
 """The published JSON Schemas accept what the reader accepts and refuse what it refuses.
 
-    check_schemas.py BINARY CONFIGS   runs `BINARY schema KIND` and `BINARY validate FILE`
+    check_schemas.py BINARY CONFIGS    runs `BINARY schema KIND` and `BINARY validate FILE`
+    check_schemas.py --write CONFIGS   gives a "$schema" to the files that have none
 
 Every file in CONFIGS, and every document below, is put both to the schema (python3-jsonschema, draft 2020-12) and to
 the reader. Faults that a schema cannot express are tested with the reader. Every file in CONFIGS names its schema by
@@ -9,6 +10,7 @@ the reader. Faults that a schema cannot express are tested with the reader. Ever
 
 import copy
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -66,8 +68,6 @@ SPHERES = {
                {"sphere": {"pixels": 64, "lights": [{"type": "sphere", "theta": 0, "radius": "10deg", "radiance": 1}]}}],
 }
 GONE = object()
-# Kinds whose files name their schema.
-NAMED = ("material", "scene", "advice")
 
 # Kind, where, what is put there (GONE: taken away).
 GOOD = [
@@ -354,6 +354,20 @@ def files_of(kind: str, configs: Path) -> list[Path]:
     return [file for file in files if ("materials" in json.loads(file.read_text(encoding="utf-8"))) == (kind == "advice")]
 
 
+def schema_beside(kind: str) -> str:
+    return f"../schemas/{kind}.json"
+
+
+def write(configs: Path) -> int:
+    for kind in BASES:
+        for file in files_of(kind, configs):
+            text = file.read_text(encoding="utf-8")
+            if "$schema" not in json.loads(text):
+                space, rest = re.fullmatch(r"\s*{(\s*)(.*)", text, re.S).groups()
+                file.write_text(f'{{{space}"$schema": "{schema_beside(kind)}",{space or " "}{rest}', encoding="utf-8")
+    return 0
+
+
 def main(binary: Path, configs: Path) -> int:
     with tempfile.TemporaryDirectory() as folder:
         checker = Checker(binary, Path(folder))
@@ -364,8 +378,8 @@ def main(binary: Path, configs: Path) -> int:
                 checker.faults.append(f"no {kind} in {configs}")
             for file in files:
                 document = json.loads(file.read_text(encoding="utf-8"))
-                if kind in NAMED and document.get("$schema") != f"../schemas/{kind}.json":
-                    checker.faults.append(f"{file}: its \"$schema\" is not \"../schemas/{kind}.json\"")
+                if document.get("$schema") != schema_beside(kind):
+                    checker.faults.append(f"{file}: its \"$schema\" is not {schema_beside(kind)}; check_schemas.py --write adds it")
                 checker.check(str(file), kind, document, True, file)
                 count += 1
         for kind, document in BASES.items():
@@ -389,4 +403,4 @@ def main(binary: Path, configs: Path) -> int:
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
+    sys.exit(write(Path(sys.argv[2])) if sys.argv[1] == "--write" else main(Path(sys.argv[1]), Path(sys.argv[2])))
