@@ -5,6 +5,7 @@
 # DEBFULLNAME and DEBEMAIL name the maintainer, as they do for Debian's own tools.
 find_program(GZIP gzip)
 if(NOT GZIP)
+  message(STATUS "No gzip: no Debian packages")
   return()
 endif()
 
