@@ -1,5 +1,6 @@
 """The wheel of the Python module: CMake builds what it holds."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = Path(__file__).resolve().parent
+VERSION = re.search(r"^  VERSION ([\d.]+)$", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)[1]
 
 
 class CMakeBuild(build_ext):
@@ -23,6 +25,6 @@ class CMakeBuild(build_ext):
         target.write_bytes(built.read_bytes())
 
 
-setup(packages=["brdfplot"], package_dir={"brdfplot": "python/brdfplot"},
+setup(version=VERSION, packages=["brdfplot"], package_dir={"brdfplot": "python/brdfplot"},
       package_data={"brdfplot": ["__init__.pyi", "py.typed"]},
       ext_modules=[Extension("brdfplot._core", [])], cmdclass={"build_ext": CMakeBuild})

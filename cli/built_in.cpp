@@ -1,7 +1,7 @@
 #include "built_in.hpp"
 
 #include "base/errors.hpp"
-#include "version.hpp"
+#include "config_directories.hpp"
 
 #include <filesystem>
 #include <vector>

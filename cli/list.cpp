@@ -6,6 +6,7 @@
 #include "analysis/weight_moments.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
+#include "choice/methods/problems.hpp"
 #include "command.hpp"
 #include "figure/profile/surface.hpp"
 #include "models/registry.hpp"
@@ -52,6 +53,7 @@ std::string wrapped(const std::string& lead, const std::string& text, std::size_
     used += width_of(word) + (at_start ? 0 : 1);
     at_start = false;
   }
+  out.erase(out.find_last_not_of(' ') + 1); // where there is no text
   return out + "\n";
 }
 
@@ -198,6 +200,13 @@ std::vector<Item> property_items() {
   return items;
 }
 
+/// Without what is said of them: with their methods, some of which are fitted, they take a second to make.
+std::vector<Item> problem_items() {
+  std::vector<Item> items;
+  for (const auto& name : choice::problem_names()) items.push_back({name, "", ""});
+  return items;
+}
+
 struct Section {
   std::string name, title;
   std::vector<Item> (*items)();
@@ -230,6 +239,7 @@ const std::vector<Section>& sections() {
        property_items},
       {"surfaces", "Surfaces (\"surface\" of a scene)", items_of<simulation::Surface>},
       {"measures", "Measures of a scene (\"measures\")", measures},
+      {"problems", "Quantities whose methods are compared (brdfplot pareto, brdfplot stress)", problem_items},
       {"profiles", "Surfaces in profile (\"surface\" of a profile)", items_of<plot::ProfileSurface>},
   };
   return all;
@@ -250,8 +260,9 @@ std::string listed(const std::string& wanted) {
       names.push_back(item.name);
       if (item.name != wanted) continue;
       out += (out.empty() ? "" : "\n") + section.title + "\n";
+      const std::string doc = item.doc.empty() ? choice::make_problem(item.name)->doc : item.doc;
       out += item.whole.empty()
-                 ? wrapped(std::string(name_column, ' ') + item.name, item.doc, name_column + item.name.size() + gap)
+                 ? wrapped(std::string(name_column, ' ') + item.name, doc, name_column + item.name.size() + gap)
                  : item.whole;
     }
   if (out.empty()) throw InputError("list", unknown_name("section or name", wanted, names));
@@ -266,7 +277,7 @@ Command add_list(CLI::App& app) {
   command
       ->add_option("name", *wanted,
                    "A model or a quantity, or all of distributions, masking, shadowing, fresnel, terms, quantities, "
-                   "properties, surfaces, measures or profiles; default: everything in short")
+                   "properties, surfaces, measures, problems or profiles; default: everything in short")
       ->type_name("NAME");
   command->footer(footer("brdfplot list ggx"));
   return {command, [wanted] {

@@ -197,8 +197,8 @@ Command add_pareto(CLI::App& app, const Settings& settings) {
   command
       ->add_option(
           "quantities", flags->quantities,
-          "Quantities, and a material (a file) whose own they may be; default: all, of the material where there "
-          "is one")
+          "Quantities (brdfplot list problems), and a material (a file) whose own they may be; default: all, of the "
+          "material where there is one")
       ->type_name("QUANTITY|MATERIAL.json");
   command
       ->add_option("-o,--output", flags->output,

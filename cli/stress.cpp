@@ -189,7 +189,8 @@ Command add_stress(CLI::App& app, const Settings& settings) {
   CLI::App* command = app.add_subcommand("stress", "Where methods fail: lost digits, NaN, energy from nothing");
   command
       ->add_option("names", flags->names,
-                   "Materials, and problems (d_ggx) or methods of them (d_ggx/printed); default: all problems")
+                   "Materials, and problems (brdfplot list problems) or methods of them (d_ggx/printed); default: all "
+                   "problems")
       ->type_name("MATERIAL.json|METHOD");
   command->add_option("-o,--output", flags->output, "Folder of failures.csv, failures.json and maps of errors")
       ->type_name("DIR");

@@ -42,8 +42,7 @@ plot::FigureDescription read_figure(const JsonFile& file) {
 
 FigureFile figure_of(const JsonFile& file) {
   expect_kind(file, "figure");
-  const bool refers = file.text().find("\"$ref\"") != std::string::npos;
-  return {read_figure(file), refers ? file.root().dump(2) + "\n" : file.text()};
+  return {read_figure(file), file.shown()};
 }
 
 } // namespace

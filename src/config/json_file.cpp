@@ -148,6 +148,36 @@ const Json* find(const Json& document, const Json::json_pointer& place) {
   }
 }
 
+constexpr const char* blanks = " \t\r\n";
+
+/// Behind the string that begins at `at`.
+std::size_t end_of_string(const std::string& json, std::size_t at) {
+  for (++at; json[at] != '"'; ++at)
+    if (json[at] == '\\') ++at;
+  return at + 1;
+}
+
+/// Valid JSON without the member "$schema" of its outermost object, a text; else as it is.
+std::string without_schema(const std::string& json) {
+  const std::string name = "\"$schema\"";
+  int depth = 0;
+  for (std::size_t at = 0; at < json.size();) {
+    const std::size_t begin = at;
+    if (json[at] == '{' || json[at] == '[') ++depth;
+    if (json[at] == '}' || json[at] == ']') --depth;
+    at = json[at] == '"' ? end_of_string(json, at) : at + 1;
+    const std::size_t colon = json.find_first_not_of(blanks, at);
+    if (depth != 1 || json.compare(begin, at - begin, name) != 0 || colon == std::string::npos || json[colon] != ':')
+      continue;
+    const std::size_t end = end_of_string(json, json.find('"', colon));
+    const std::size_t after = json.find_first_not_of(blanks, end);
+    if (json[after] == ',') return json.substr(0, begin) + json.substr(json.find_first_not_of(blanks, after + 1));
+    const std::size_t before = json.find_last_not_of(blanks, begin - 1); // a comma, or the object's beginning
+    return json.substr(0, before + (json[before] == ',' ? 0 : 1)) + json.substr(end);
+  }
+  return json;
+}
+
 } // namespace
 
 JsonFile::JsonFile(const std::string& path) : JsonFile(path, read_text_file(path, most_bytes)) {}
@@ -156,6 +186,15 @@ JsonFile::JsonFile(const std::string& path, std::string text) : path_(path), tex
   std::vector<std::string> trail;
   const Origin here{"", path, ""};
   root_ = expand(parse(path, text_), "", here, trail);
+}
+
+std::string JsonFile::shown() const {
+  if (text_.find("\"$ref\"") != std::string::npos) {
+    Json root = root_;
+    if (root.is_object()) root.erase("$schema");
+    return root.dump(2) + "\n";
+  }
+  return without_schema(text_);
 }
 
 Json JsonFile::expand(const Json& value, const std::string& pointer, const Origin& here,

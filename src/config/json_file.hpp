@@ -23,7 +23,9 @@ public:
 
   const Json& root() const { return root_; }
   const std::string& path() const { return path_; }
-  const std::string& text() const { return text_; }
+  /// The text as readers are shown it: with what references say in their place, and without "$schema", which tells the
+  /// editor of this file where a schema is.
+  std::string shown() const;
 
   /// `FILE: /pointer`, in the file in which the value at `pointer` of root() was written.
   std::string where(const std::string& pointer) const;

@@ -254,7 +254,7 @@ std::string schema(const std::string& kind) {
     shape = advice_shape();
   else
     throw InputError("schema", unknown_name("kind", kind, kinds()));
-  return json_schema(*shape, "brdfplot " + kind).dump(2) + "\n";
+  return json_schema(*shape, kind).dump(2) + "\n";
 }
 
 std::string kind_of_file(const JsonFile& file) {

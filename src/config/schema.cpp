@@ -56,7 +56,10 @@ public:
   void check(const Json& value, const std::string& pointer) const override {
     expect(value.is_object(), value, pointer, describe());
     for (const auto& [key, item] : value.items()) {
-      if (top_ && key == "$schema") continue;
+      if (top_ && key == "$schema") {
+        text()->check(item, step(pointer, key));
+        continue;
+      }
       const auto field = std::ranges::find(fields_, key, &Field::key);
       if (field == fields_.end()) throw BadValue{step(pointer, key), unknown_name("key", key, keys())};
       field->shape->check(item, step(pointer, key));
@@ -354,7 +357,7 @@ ShapePtr model(const std::vector<ModelSpec>& specs) {
   return tagged(std::move(types));
 }
 
-Json json_schema(const Shape& shape, const std::string& title) {
+Json json_schema(const Shape& shape, const std::string& kind) {
   Json definitions = Json::object();
   definitions["reference"] = {{"type", "object"},
                               {"properties", {{"$ref", {{"type", "string"}, {"pattern", "^[^#]*(#(/.*)?)?$"}}}}},
@@ -362,7 +365,9 @@ Json json_schema(const Shape& shape, const std::string& title) {
                               {"additionalProperties", false},
                               {"description", "stands for the value at FILE#/json/pointer, relative to this file"}};
   Json body = shape.schema(definitions);
-  Json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  Json out = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"$id", "https://brdfplot.example/schemas/" + kind + ".json"},
+              {"title", "brdfplot " + kind}};
   for (const auto& [key, value] : body.items()) out[key] = value;
   out["$defs"] = definitions;
   return out;

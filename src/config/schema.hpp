@@ -86,8 +86,8 @@ std::vector<Field> parameter_fields(const ModelSpec& spec);
 /// The shape of a model's parameters beside its `type`.
 ShapePtr model(const std::vector<ModelSpec>& specs);
 
-/// The whole schema of a kind of file.
-Json json_schema(const Shape& shape, const std::string& title);
+/// The whole schema of a kind of file. Its "$id" is a name: nothing is kept at that address.
+Json json_schema(const Shape& shape, const std::string& kind);
 
 /// \throws BadValue "found VALUE, accepted: ACCEPTED" unless `good`.
 void expect(bool good, const Json& value, const std::string& pointer, const std::string& accepted);

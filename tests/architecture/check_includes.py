@@ -15,7 +15,7 @@ LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "sampling
 # The number type of exact values, which only the sources of problems include.
 HEAVY_HEADERS = {"src/choice/methods/exact.hpp"}
 KNOWS_ONLY = {"draw": {"base", "draw"}}
-GENERATED = {"version.hpp"}
+GENERATED = {"version.hpp", "config_directories.hpp"}
 # A third-party header: who may include it. None stands for every source file, but no header.
 THIRD_PARTY = {"CLI": {"cli"}, "nlohmann": {"config"}, "Eigen": None, "boost": None, "muParser.h": None,
                "embree3": None, "tbb": None, "fftw3.h": None, "png.h": None}

@@ -1,13 +1,16 @@
 """The published JSON Schemas accept what the reader accepts and refuse what it refuses.
 
-    check_schemas.py BINARY CONFIGS   runs `BINARY schema KIND` and `BINARY validate FILE`
+    check_schemas.py BINARY CONFIGS    runs `BINARY schema KIND` and `BINARY validate FILE`
+    check_schemas.py --write CONFIGS   gives a "$schema" to the files that have none
 
 Every file in CONFIGS, and every document below, is put both to the schema (python3-jsonschema, draft 2020-12) and to
-the reader. Faults that a schema cannot express are tested with the reader.
+the reader. Faults that a schema cannot express are tested with the reader. Every file in CONFIGS names its schema by
+"$schema", where an installation has it.
 """
 
 import copy
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -68,7 +71,7 @@ GONE = object()
 
 # Kind, where, what is put there (GONE: taken away).
 GOOD = [
-    ("material", "/$schema", "https://example.org/material.json"),
+    *((kind, "/$schema", "https://example.org/material.json") for kind in BASES),
     ("material", "/name", "α"),
     ("material", "/facet", "specular"),
     ("material", "/facet", "diffuse"),
@@ -202,6 +205,7 @@ BAD = [
     ("report", "/entries/0/section", GONE),
     ("report", "/entries/0/table/alpha", GONE),
     # Types
+    *((kind, "/$schema", 1) for kind in BASES),
     ("material", "", []),
     ("material", "", 3),
     ("material", "/name", 1),
@@ -322,6 +326,8 @@ class Checker:
             text = subprocess.run([binary, "schema", kind], check=True, capture_output=True, text=True).stdout
             schema = json.loads(text)
             jsonschema.Draft202012Validator.check_schema(schema)
+            if schema.get("$id") != f"https://brdfplot.example/schemas/{kind}.json":
+                self.faults.append(f"the schema of {kind} is called {schema.get('$id')}")
             self.validators[kind] = jsonschema.Draft202012Validator(schema)
 
     def reader_accepts(self, path: Path) -> bool:
@@ -348,6 +354,20 @@ def files_of(kind: str, configs: Path) -> list[Path]:
     return [file for file in files if ("materials" in json.loads(file.read_text(encoding="utf-8"))) == (kind == "advice")]
 
 
+def schema_beside(kind: str) -> str:
+    return f"../schemas/{kind}.json"
+
+
+def write(configs: Path) -> int:
+    for kind in BASES:
+        for file in files_of(kind, configs):
+            text = file.read_text(encoding="utf-8")
+            if "$schema" not in json.loads(text):
+                space, rest = re.fullmatch(r"\s*{(\s*)(.*)", text, re.S).groups()
+                file.write_text(f'{{{space}"$schema": "{schema_beside(kind)}",{space or " "}{rest}', encoding="utf-8")
+    return 0
+
+
 def main(binary: Path, configs: Path) -> int:
     with tempfile.TemporaryDirectory() as folder:
         checker = Checker(binary, Path(folder))
@@ -357,7 +377,10 @@ def main(binary: Path, configs: Path) -> int:
             if not files:
                 checker.faults.append(f"no {kind} in {configs}")
             for file in files:
-                checker.check(str(file), kind, json.loads(file.read_text(encoding="utf-8")), True, file)
+                document = json.loads(file.read_text(encoding="utf-8"))
+                if document.get("$schema") != schema_beside(kind):
+                    checker.faults.append(f"{file}: its \"$schema\" is not {schema_beside(kind)}; check_schemas.py --write adds it")
+                checker.check(str(file), kind, document, True, file)
                 count += 1
         for kind, document in BASES.items():
             checker.check(kind, kind, document, True)
@@ -380,4 +403,4 @@ def main(binary: Path, configs: Path) -> int:
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
+    sys.exit(write(Path(sys.argv[2])) if sys.argv[1] == "--write" else main(Path(sys.argv[1]), Path(sys.argv[2])))

@@ -148,6 +148,28 @@ TEST_CASE("schemas: one for each kind") {
   CHECK(contains(error_of(folder, 2, [] { config::schema("figur"); }), "\"figur\"; did you mean \"figure\"?"));
 }
 
+TEST_CASE("figures: the text that is shown of a file is its own, but for $schema") {
+  const TempFolder folder;
+  const std::string bare = figure;
+  const std::string schema = R"("$schema" : "../a \"b\", c.json\\")";
+  const auto shown = [&](const std::string& text) { return config::load_figure(folder.write("f.json", text)).json; };
+  const std::size_t first = bare.find_first_not_of(" \n", bare.find('{') + 1);
+  const std::size_t last = bare.find_last_not_of(" \n", bare.rfind('}') - 1) + 1;
+  CHECK(shown(bare) == bare);
+  CHECK(shown(bare.substr(0, first) + schema + ",\n " + bare.substr(first)) == bare);
+  CHECK(shown(bare.substr(0, last) + " , " + schema + bare.substr(last)) ==
+        bare.substr(0, last) + " " + bare.substr(last));
+  // Nothing but the key of the outermost object.
+  const std::string title =
+      bare.substr(0, first) + R"("materials": {"$schema": {"distribution": {"type": "ggx", "alpha": 1}}}, )";
+  CHECK(shown(title + bare.substr(first)) == title + bare.substr(first));
+  CHECK(shown(title + schema + ", " + bare.substr(first)) == title + bare.substr(first));
+  const std::string refers =
+      bare.substr(0, first) + schema + R"(, "materials": {"$ref": "m.json"}, )" + bare.substr(first);
+  folder.write("m.json", R"({"m": {"distribution": {"type": "ggx", "alpha": 1}}})");
+  CHECK(!nlohmann::json::parse(shown(refers)).contains("$schema"));
+}
+
 TEST_CASE("the record of a report") {
   const config::ReportFile report{"id", "T", "", {}, "", {}, ""};
   const PropertyRow row{"",
