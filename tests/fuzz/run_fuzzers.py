@@ -22,6 +22,11 @@ CONFIGS = {"material": ["materials"], "figure": ["figures"], "report": ["reports
 LIMITS = ["-rss_limit_mb=2048", "-timeout=10", "-max_len=4096", "-print_final_stats=1", "-verbosity=1"]
 
 
+# The scratch file of a fuzzer is written at every execution: in memory, where the system has a folder of it.
+SHARED = Path("/dev/shm")
+ENVIRONMENT = os.environ | ({"TMPDIR": str(SHARED)} if os.access(SHARED, os.W_OK) else {})
+
+
 def run(folder, reader, arguments):
     found = folder / "found" / reader
     findings = folder / "findings" / reader
@@ -30,7 +35,7 @@ def run(folder, reader, arguments):
     corpora = [found, HERE / "corpus" / reader, *(SOURCE / "configs" / name for name in CONFIGS.get(reader, []))]
     limit = [f"-runs={arguments.runs}"] if arguments.runs else [f"-max_total_time={arguments.seconds}"]
     done = subprocess.run([folder / f"fuzz-{reader}", *LIMITS, *limit, f"-artifact_prefix={findings}/",
-                           *(str(path) for path in corpora)], capture_output=True, text=True, errors="replace", check=False)
+                           *(str(path) for path in corpora)], env=ENVIRONMENT, capture_output=True, text=True, errors="replace", check=False)
     count = re.search(r"stat::number_of_executed_units: *(\d+)", done.stderr)
     print(f"{reader}: {count.group(1) if count else '?'} executions, exit code {done.returncode}", flush=True)
     if done.returncode != 0:
