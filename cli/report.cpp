@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -39,11 +40,13 @@ struct Computed {
   std::vector<double> row_seconds;
 };
 
-/// What has to be computed for `entry`: a figure at once, a table of properties row by row, of a table of data nothing.
+/// What has to be computed for `entry`: a figure at once, into `figure_tasks`, a table of properties row by row, into
+/// `row_tasks`,
+/// of a table of data nothing.
 void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Computed& computed,
-                  std::vector<Task>& tasks) {
+                  std::vector<Task>& figure_tasks, std::vector<Task>& row_tasks) {
   if (const auto* figure = std::get_if<plot::FigureDescription>(&entry.what)) {
-    tasks.push_back({figure->id, [figure, &store, &computed] { computed.figure = render(*figure, store); }});
+    figure_tasks.push_back({figure->id, [figure, &store, &computed] { computed.figure = render(*figure, store); }});
     return;
   }
   if (std::holds_alternative<config::DataTable>(entry.what)) return;
@@ -53,11 +56,11 @@ void append_tasks(const config::ReportEntry& entry, simulation::Store& store, Co
   computed.row_seconds.resize(rows.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::string name = table.id + ", " + rows[r].members.at(0).name;
-    tasks.push_back({name, [name, &table, &computed, family = std::move(rows[r]), r] {
-                       computed.row_seconds[r] =
-                           timed([&] { computed.rows[r] = measure(family, table3_properties(), table.search()); });
-                       for (const auto& what : untold(computed.rows[r])) throw AccuracyError(name, what);
-                     }});
+    row_tasks.push_back({name, [name, &table, &computed, family = std::move(rows[r]), r] {
+                           computed.row_seconds[r] =
+                               timed([&] { computed.rows[r] = measure(family, table3_properties(), table.search()); });
+                           for (const auto& what : untold(computed.rows[r])) throw AccuracyError(name, what);
+                         }});
   }
 }
 
@@ -153,7 +156,10 @@ int run(const ReportFlags& flags, const Settings& settings) {
     for (const auto& entry : report.entries)
       if (const auto* figure = std::get_if<plot::FigureDescription>(&entry.what)) figures.push_back(figure);
     append_simulations(figures, settings, store, tasks);
-    for (std::size_t k = 0; k < computed.size(); ++k) append_tasks(report.entries[k], store, computed[k], tasks);
+    // Rows of tables are short and come last, so that all threads end together.
+    std::vector<Task> rows;
+    for (std::size_t k = 0; k < computed.size(); ++k) append_tasks(report.entries[k], store, computed[k], tasks, rows);
+    std::ranges::move(rows, std::back_inserter(tasks));
     run_tasks(tasks, settings);
   });
   Content content;

@@ -50,8 +50,7 @@ Estimate projected_area(const Microsurface& surface, const Direction& o, double 
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
     const Batch batch = rows.with_normals(m.size(), [&](std::size_t k) { return m[k]; });
     density.resize(m.size());
-    evaluate(surface, Quantity::d, batch, density.data());
-    evaluate(surface, Quantity::g1, batch, out.data());
+    evaluate(surface, {Quantity::d, Quantity::g1}, batch, {density.data(), out.data()});
     for (std::size_t k = 0; k < m.size(); ++k) out[k] *= std::max(0.0, dot(o, m[k])) * density[k];
   };
   return integrate_visible(surface, o, tolerance * surface.slopes().project(o).c, integrand);
@@ -75,8 +74,7 @@ Estimate weak_furnace(const Microsurface& surface, const Direction& o, double to
   const auto integrand = [&](const std::vector<Direction>& h, std::vector<double>& out) {
     const Batch batch = rows.with_lights(h.size(), [&](std::size_t k) { return reflected(o, h[k]); });
     density.resize(h.size());
-    evaluate(surface, Quantity::d, batch, density.data());
-    evaluate(surface, Quantity::g1, batch, out.data());
+    evaluate(surface, {Quantity::d, Quantity::g1}, batch, {density.data(), out.data()});
     for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * c) * (4 * dot(o, h[k]));
   };
   Estimate estimate = integrate_visible(surface, o, tolerance, integrand);
@@ -129,8 +127,7 @@ double weak_furnace_on_grid(const Microsurface& surface, const Direction& o) {
     const Batch batch = rows.with_lights(n, [&](std::size_t k) {
       return Direction{azimuths[k][0] * sin_theta, azimuths[k][1] * sin_theta, cos_theta};
     });
-    evaluate(surface, Quantity::g1, batch, g1.data());
-    evaluate(surface, Quantity::d, batch, d.data());
+    evaluate(surface, {Quantity::g1, Quantity::d}, batch, {g1.data(), d.data()});
     for (std::size_t k = 0; k < n; ++k)
       if (g1[k] > 0) sum += sin_theta * g1[k] * d[k];
   }

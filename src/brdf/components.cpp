@@ -1,6 +1,7 @@
 #include "brdf/components.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace brdfplot {
 
@@ -9,15 +10,18 @@ double Component::density(const Direction& omega_m) const {
 }
 
 void Component::densities(const std::vector<Direction>& omega_m, std::vector<double>& out) const {
-  const std::size_t n = omega_m.size();
-  std::vector<double> x(n), y(n), z(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    x[k] = omega_m[k].x;
-    y[k] = omega_m[k].y;
-    z[k] = omega_m[k].z;
+  constexpr std::size_t capacity = 64;
+  std::array<double, capacity> x, y, z;
+  out.resize(omega_m.size());
+  for (std::size_t first = 0; first < omega_m.size(); first += capacity) {
+    const std::size_t n = std::min(capacity, omega_m.size() - first);
+    for (std::size_t k = 0; k < n; ++k) {
+      x[k] = omega_m[first + k].x;
+      y[k] = omega_m[first + k].y;
+      z[k] = omega_m[first + k].z;
+    }
+    std::visit([&](const auto& d) { d.densities({x.data(), y.data(), z.data()}, &out[first], n); }, distribution);
   }
-  out.resize(n);
-  std::visit([&](const auto& d) { d.densities({x.data(), y.data(), z.data()}, out.data(), n); }, distribution);
   for (double& value : out) value *= weight;
 }
 

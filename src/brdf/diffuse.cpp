@@ -77,13 +77,9 @@ Estimate integrate_density(const Microsurface& surface, std::span<const Directio
   return sum;
 }
 
-/// int <i,m> di / pi of one facet, by directions in steps of <i,m> and of azimuth about m: a Gauss rule that is exact
-/// for it.
-double light_on_facet(const Direction& m) {
-  const Direction along = std::fabs(m.x) < 0.5 ? Direction{1, 0, 0} : Direction{0, 1, 0};
-  const Direction across = along + -dot(along, m) * m; // no shorter than 0.8
-  const Direction t = (1 / std::sqrt(dot(across, across))) * across;
-  const Direction b{m.y * t.z - m.z * t.y, m.z * t.x - m.x * t.z, m.x * t.y - m.y * t.x};
+/// Writes int <i,m> di / pi of each facet, by directions in steps of <i,m> and of azimuth about m: a Gauss rule that is
+/// exact for it.
+void write_light_on_facets(const std::vector<Direction>& normals, std::vector<double>& out) {
   static const std::vector<Direction> rule = [] { // about the pole
     const double gauss = 0.5 / std::sqrt(3.0);
     std::vector<Direction> nodes;
@@ -94,12 +90,40 @@ double light_on_facet(const Direction& m) {
       }
     return nodes;
   }();
-  double sum = 0;
-  for (const Direction& node : rule) {
-    const Direction i = node.z * m + node.x * t + node.y * b;
-    sum += std::max(0.0, dot(i, m)) * (0.5 * 0.5 * std::numbers::pi);
+  // In loops over few facets without a branch, so that the compiler takes several at a time.
+  constexpr std::size_t capacity = 64;
+  std::array<double, capacity> mx, my, mz, tx, ty, tz, sum;
+  out.resize(normals.size());
+  for (std::size_t first = 0; first < normals.size(); first += capacity) {
+    const std::size_t n = std::min(capacity, normals.size() - first);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Direction& m = normals[first + k];
+      mx[k] = m.x;
+      my[k] = m.y;
+      mz[k] = m.z;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const double x = std::fabs(mx[k]) < 0.5 ? 1 : 0, y = 1 - x; // an axis that is far from m
+      const double along = x * mx[k] + y * my[k];
+      const double across_x = x - along * mx[k], across_y = y - along * my[k], across_z = -along * mz[k];
+      const double scale = 1 / std::sqrt(across_x * across_x + across_y * across_y + across_z * across_z); // below 1.25
+      tx[k] = scale * across_x;
+      ty[k] = scale * across_y;
+      tz[k] = scale * across_z;
+      sum[k] = 0;
+    }
+    for (const Direction& node : rule)
+      for (std::size_t k = 0; k < n; ++k) {
+        const double bx = my[k] * tz[k] - mz[k] * ty[k], by = mz[k] * tx[k] - mx[k] * tz[k],
+                     bz = mx[k] * ty[k] - my[k] * tx[k];
+        const double x = node.z * mx[k] + node.x * tx[k] + node.y * bx;
+        const double y = node.z * my[k] + node.x * ty[k] + node.y * by;
+        const double z = node.z * mz[k] + node.x * tz[k] + node.y * bz;
+        const double facing = x * mx[k] + y * my[k] + z * mz[k];
+        sum[k] += std::max(0.0, facing) * (0.5 * 0.5 * std::numbers::pi);
+      }
+    for (std::size_t k = 0; k < n; ++k) out[first + k] = sum[k] * std::numbers::inv_pi;
   }
-  return sum * std::numbers::inv_pi;
 }
 
 } // namespace
@@ -136,10 +160,10 @@ Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omeg
   const bool constant = surface.has_lambda();
   if (constant) at(Quantity::g1, &omega_o, nullptr, {mean_normal(surface.slopes())}, g1);
   const auto integrand = [&](const std::vector<Direction>& m, std::vector<double>& out) {
-    out.resize(m.size());
+    write_light_on_facets(m, out);
     if (!constant) at(Quantity::g1, &omega_o, nullptr, m, g1);
     for (std::size_t k = 0; k < m.size(); ++k)
-      out[k] = g1[constant ? 0 : k] * std::max(0.0, dot(omega_o, m[k])) / c_o * light_on_facet(m[k]);
+      out[k] = g1[constant ? 0 : k] * std::max(0.0, dot(omega_o, m[k])) / c_o * out[k];
   };
   Estimate estimate = integrate_density(surface, std::span(&omega_o, 1), !constant, integrand, {.absolute = tolerance});
   // At grazing o.m is a difference of terms that are rounded.

@@ -72,14 +72,33 @@ void require(const Microsurface& surface, const std::string& where, Quantity qua
                                 "vector");
 }
 
-void evaluate(const Microsurface& surface, Quantity quantity, const Batch& batch, double* out) {
+namespace {
+
+/// Calls write(block, has_m, first) with each block of the batch, and its first row.
+template <class Write>
+void for_each_block(const Batch& batch, const Write& write) {
   const bool has_m = batch.m || (batch.o && batch.i);
   SurfaceBlock block;
   for (std::size_t first = 0; first < batch.n; first += PairBlock::capacity) {
     const std::size_t n = std::min(PairBlock::capacity, batch.n - first);
     set_directions(block, n, batch.o.from(first), batch.i.from(first), batch.m.from(first));
-    evaluate(surface, quantity, has_m, block, out + first);
+    write(block, has_m, first);
   }
+}
+
+} // namespace
+
+void evaluate(const Microsurface& surface, Quantity quantity, const Batch& batch, double* out) {
+  for_each_block(batch, [&](SurfaceBlock& block, bool has_m, std::size_t first) {
+    evaluate(surface, quantity, has_m, block, out + first);
+  });
+}
+
+void evaluate(const Microsurface& surface, const std::array<Quantity, 2>& quantities, const Batch& batch,
+              const std::array<double*, 2>& out) {
+  for_each_block(batch, [&](SurfaceBlock& block, bool has_m, std::size_t first) {
+    for (std::size_t k = 0; k < quantities.size(); ++k) evaluate(surface, quantities[k], has_m, block, out[k] + first);
+  });
 }
 
 void evaluate(const Microsurface& surface, Quantity quantity, bool has_m, SurfaceBlock& block, double* out) {

@@ -4,6 +4,7 @@
 
 #include "brdf/quantity.hpp"
 
+#include <array>
 #include <optional>
 
 namespace brdfplot {
@@ -22,6 +23,10 @@ namespace brdfplot {
 /// and the directions that it needs be given.
 /// \throws AccuracyError when a quadrature (Lambda) misses its accuracy.
 void evaluate(const Microsurface& surface, Quantity quantity, const Batch& batch, double* out);
+
+/// The same of two quantities, which share half vectors and masking.
+void evaluate(const Microsurface& surface, const std::array<Quantity, 2>& quantities, const Batch& batch,
+              const std::array<double*, 2>& out);
 
 /// The same of one block, whose directions are set; `has_m`: a normal is given, or half vectors.
 struct SurfaceBlock;

@@ -33,7 +33,7 @@ void require_smooth(const WeightedTerm& term) {
                                    "takes; accepted: a term that is a formula");
 }
 
-AlbedoTable table_of(const WeightedTerm& term) {
+AlbedoTable table_of(const WeightedTerm& term, const std::string& own_name) {
   const double tolerance = term.is_isotropic() ? 1e-8 : 1e-7; // of two dimensions, which takes seconds
   constexpr double largest_error = 1e-6;
   const auto channels = static_cast<std::size_t>(term.channels());
@@ -44,13 +44,13 @@ AlbedoTable table_of(const WeightedTerm& term) {
       },
       tolerance);
   const double angle = std::acos(table.where_largest().z) * 180 / std::numbers::pi;
-  const std::string name = "\"" + term.name + "\"";
+  const std::string name = "\"" + own_name + "\"";
   if (!(table.error() <= largest_error))
     throw AccuracyError("albedo of " + name, "reached an error of " + format_number(table.error()) +
                                                  " in its table (asked: " + format_number(largest_error) + ")");
   if (table.largest() > 1 + table.error())
-    throw InputError(term.name, "has an albedo of " + format_number(table.largest()) + " at " + format_number(angle) +
-                                    "deg; accepted: a term that reflects no more than it gets");
+    throw InputError(own_name, "has an albedo of " + format_number(table.largest()) + " at " + format_number(angle) +
+                                   "deg; accepted: a term that reflects no more than it gets");
   return table;
 }
 
@@ -82,7 +82,7 @@ std::string key_of(const Values& values) {
 std::string key_of(const ModelChoice& choice) { return choice.type + key_of(choice.values); }
 
 std::string key_of(const TermDescription& d) {
-  return d.name + " " + d.type + key_of(d.weight) + key_of(d.distribution) + key_of(d.masking) +
+  return d.type + key_of(d.weight) + key_of(d.distribution) + key_of(d.masking) +
          (d.shadowing ? key_of(*d.shadowing) : "") + key_of(d.fresnel) + key_of(d.values);
 }
 
@@ -101,7 +101,7 @@ struct TermAlbedo::Shared {
 };
 
 TermAlbedo::TermAlbedo(const TermDescription& term)
-    : shared_(remembered<std::shared_ptr<Shared>>(key_of(term), [&] {
+    : name_(term.name.empty() ? term.type : term.name), shared_(remembered<std::shared_ptr<Shared>>(key_of(term), [&] {
         auto shared = std::make_shared<Shared>();
         shared->term = build_term(term);
         require_symmetry(shared->term);
@@ -114,7 +114,7 @@ std::size_t TermAlbedo::channels() const { return static_cast<std::size_t>(share
 bool TermAlbedo::is_isotropic() const { return shared_->term.is_isotropic(); }
 
 const AlbedoTable& TermAlbedo::table() const {
-  std::call_once(shared_->made, [&] { shared_->table = table_of(shared_->term); });
+  std::call_once(shared_->made, [&] { shared_->table = table_of(shared_->term, name_); });
   return shared_->table;
 }
 

@@ -6,6 +6,7 @@
 #include "brdf/term.hpp"
 
 #include <memory>
+#include <string>
 
 namespace brdfplot {
 
@@ -16,7 +17,8 @@ struct WeightedTerm;
 bool has_mirror_planes(const WeightedTerm& term);
 
 /// The albedo of a term with its weight, as a table that is made when it is first asked for: files are read and checked
-/// without. Copies share it, and so do terms of the same description, since figures build a material a value.
+/// without. Copies share it, and so do terms of the same description, whatever their names, since figures build a
+/// material a value.
 class TermAlbedo {
 public:
   /// \throws MaterialError at "/of" where the term has not the planes y = 0 and x = 0 for mirrors
@@ -31,6 +33,7 @@ public:
 
 private:
   struct Shared;
+  std::string name_; ///< of the term, which errors tell
   std::shared_ptr<Shared> shared_;
 };
 

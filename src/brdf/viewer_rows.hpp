@@ -46,12 +46,11 @@ public:
 private:
   template <class Function>
   void fill(std::size_t n, DirectionArrays& others, const Function& direction_of) {
-    viewers_.resize(n);
+    const std::size_t known = viewers_.x.size();
+    if (known < n) viewers_.resize(n);
+    for (std::size_t k = known; k < n; ++k) viewers_.set(k, o_);
     others.resize(n);
-    for (std::size_t k = 0; k < n; ++k) {
-      viewers_.set(k, o_);
-      others.set(k, direction_of(k));
-    }
+    for (std::size_t k = 0; k < n; ++k) others.set(k, direction_of(k));
   }
 
   Direction o_;

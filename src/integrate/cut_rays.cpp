@@ -26,26 +26,28 @@ void put_in_order(CutRays::Ends& ends) {
 const CutRays::Ends& CutRays::at(double psi) {
   if (const auto known = rays_.find(psi); known != rays_.end()) return known->second;
   if (rays_.size() >= most_rays) rays_.clear();
-  const SlopeFrame::Reach reach = reach_(std::cos(psi), std::sin(psi));
+  cos_psi_ = std::cos(psi);
+  sin_psi_ = std::sin(psi);
+  const SlopeFrame::Reach reach = reach_(cos_psi_, sin_psi_);
   const auto place = [](double r) { return r == infinity ? 1 : r / (spread + r); };
   Ends ends = {{place(reach.from), switches_.size()}, {place(reach.to), switches_.size()}};
   const bool runs = ends[0].z < ends[1].z;
-  for (std::size_t k = 0; runs && k < switches_.size(); ++k) add_sign_changes(k, psi, ends);
+  for (std::size_t k = 0; runs && k < switches_.size(); ++k) add_sign_changes(k, ends);
   put_in_order(ends);
   return rays_.emplace(psi, std::move(ends)).first->second;
 }
 
-void CutRays::evaluate_switch(const NormalIntegrand& of, double psi, const std::vector<double>& z) {
+void CutRays::evaluate_switch(const NormalIntegrand& of, std::span<const double> z) {
   normals_.clear();
   for (const double at : z) {
     const double r = spread * at / (1 - at);
-    normals_.push_back(frame_.normal(r * std::cos(psi), r * std::sin(psi)));
+    normals_.push_back(frame_.normal(r * cos_psi_, r * sin_psi_));
   }
   values_.resize(z.size());
   of(normals_, values_);
 }
 
-void CutRays::add_sign_changes(std::size_t which, double psi, Ends& ends) {
+void CutRays::add_sign_changes(std::size_t which, Ends& ends) {
   const NormalIntegrand& of = switches_[which].value;
   constexpr int probes = 24;
   const double begin = ends[0].z, length = ends[1].z - begin;
@@ -54,12 +56,12 @@ void CutRays::add_sign_changes(std::size_t which, double psi, Ends& ends) {
     z.push_back(begin + share * length); // crossings may leave by the centre
   for (int k = 1; k < probes; ++k) z.push_back(begin + length * (1 - std::cos(std::numbers::pi * k / probes)) / 2);
   z.push_back(begin + length * (1 - 1e-5)); // and by the horizon
-  evaluate_switch(of, psi, z);
+  evaluate_switch(of, z);
   std::vector<double> values = values_;
   for (std::size_t k = z.size() - 2; k > 0; --k) {
     const std::array<double, 3> at = {z[k - 1], z[k], z[k + 1]};
     const std::array<double, 3> value = {values[k - 1], values[k], values[k + 1]};
-    if (const auto beyond = dip(of, psi, at, value)) {
+    if (const auto beyond = dip(of, at, value)) {
       const auto behind = static_cast<std::ptrdiff_t>(beyond->first > z[k] ? k + 1 : k);
       z.insert(z.begin() + behind, beyond->first);
       values.insert(values.begin() + behind, beyond->second);
@@ -69,14 +71,14 @@ void CutRays::add_sign_changes(std::size_t which, double psi, Ends& ends) {
   for (std::size_t k = 1; k < z.size(); ++k) {
     if (values[k] == 0) continue;
     if (values[last] * values[k] < 0)
-      ends.push_back({sign_change(of, psi, {z[last], z[k]}, {values[last], values[k]}), which});
+      ends.push_back({sign_change(of, {z[last], z[k]}, {values[last], values[k]}), which});
     last = k;
   }
 }
 
 /// Two sign changes may hide between probes. Where the middle one of three values is nearest to zero, a point
 /// between them of the other sign, and its value, if parabolas lead to one.
-std::optional<std::pair<double, double>> CutRays::dip(const NormalIntegrand& of, double psi, std::array<double, 3> z,
+std::optional<std::pair<double, double>> CutRays::dip(const NormalIntegrand& of, std::array<double, 3> z,
                                                       std::array<double, 3> value) {
   const double side = value[1] > 0 ? 1 : -1;
   for (double& v : value) v *= side;
@@ -85,7 +87,7 @@ std::optional<std::pair<double, double>> CutRays::dip(const NormalIntegrand& of,
     const double left = (z[1] - z[0]) * (value[2] - value[1]), right = (z[2] - z[1]) * (value[0] - value[1]);
     const double vertex = z[1] + 0.5 * ((z[2] - z[1]) * right - (z[1] - z[0]) * left) / (left + right);
     if (!(vertex > z[0] && vertex < z[2]) || std::fabs(vertex - z[1]) < 1e-9 * z[1]) return {};
-    evaluate_switch(of, psi, {vertex});
+    evaluate_switch(of, std::span(&vertex, 1));
     const double here = side * values_[0];
     if (here < 0) return std::pair(vertex, side * here);
     const bool lower = here < value[1];
@@ -101,12 +103,11 @@ std::optional<std::pair<double, double>> CutRays::dip(const NormalIntegrand& of,
 }
 
 /// Regula falsi, Illinois variant.
-double CutRays::sign_change(const NormalIntegrand& of, double psi, std::array<double, 2> z,
-                            std::array<double, 2> value) {
+double CutRays::sign_change(const NormalIntegrand& of, std::array<double, 2> z, std::array<double, 2> value) {
   for (int step = 0; step < 60 && std::fabs(z[1] - z[0]) > 1e-15 * z[1]; ++step) {
     const double at = (z[0] * value[1] - z[1] * value[0]) / (value[1] - value[0]);
     if (!(at > std::min(z[0], z[1]) && at < std::max(z[0], z[1]))) break;
-    evaluate_switch(of, psi, {at});
+    evaluate_switch(of, std::span(&at, 1));
     if (values_[0] == 0) return at;
     if (values_[0] * value[1] < 0) {
       z[0] = z[1];

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -39,16 +40,17 @@ public:
 private:
   static constexpr std::size_t most_rays = 20000;
 
-  void evaluate_switch(const NormalIntegrand& of, double psi, const std::vector<double>& z);
-  void add_sign_changes(std::size_t which, double psi, Ends& ends);
-  std::optional<std::pair<double, double>> dip(const NormalIntegrand& of, double psi, std::array<double, 3> z,
+  void evaluate_switch(const NormalIntegrand& of, std::span<const double> z);
+  void add_sign_changes(std::size_t which, Ends& ends);
+  std::optional<std::pair<double, double>> dip(const NormalIntegrand& of, std::array<double, 3> z,
                                                std::array<double, 3> value);
-  double sign_change(const NormalIntegrand& of, double psi, std::array<double, 2> z, std::array<double, 2> value);
+  double sign_change(const NormalIntegrand& of, std::array<double, 2> z, std::array<double, 2> value);
 
   const SlopeFrame& frame_;
   const std::vector<Switch>& switches_;
   Reach reach_;
   std::unordered_map<double, Ends> rays_; ///< by psi
+  double cos_psi_ = 1, sin_psi_ = 0;      ///< of the ray that is being cut
   std::vector<Direction> normals_;
   std::vector<double> values_;
 };

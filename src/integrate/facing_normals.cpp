@@ -1,6 +1,7 @@
 #include "integrate/facing_normals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,10 +30,26 @@ public:
     }
   }
 
-  Direction normal(double u1, double u2) const {
-    const auto [x, y] = map_.slope(u1, u2);
-    const double z = 1 / std::hypot(1.0, x, y);
-    return {-x * z, -y * z, z};
+  /// The normals of r (cos psi, sin psi), r up to the largest number.
+  void normals(double cos_psi, double sin_psi, const std::vector<double>& r, std::vector<Direction>& m) const {
+    constexpr std::size_t capacity = 64;
+    std::array<double, capacity> x, y, z;
+    m.resize(r.size());
+    for (std::size_t first = 0; first < r.size(); first += capacity) {
+      const std::size_t n = std::min(capacity, r.size() - first);
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec2 slope = map_.slope(r[first + k] * cos_psi, r[first + k] * sin_psi);
+        x[k] = slope[0];
+        y[k] = slope[1];
+      }
+      // Without a branch, so that the compiler takes several at a time; squares do not overflow.
+      for (std::size_t k = 0; k < n; ++k) {
+        const double largest = std::max(1.0, std::max(std::fabs(x[k]), std::fabs(y[k])));
+        const double a = 1 / largest, b = x[k] / largest, c = y[k] / largest;
+        z[k] = 1 / (largest * std::sqrt(a * a + b * b + c * c));
+      }
+      for (std::size_t k = 0; k < n; ++k) m[first + k] = {-x[k] * z[k], -y[k] * z[k], z[k]};
+    }
   }
 
   /// d omega_m / d^2 u.
@@ -138,9 +155,8 @@ private:
   /// The integrand over r at `slopes_`.
   void evaluate(double cos_psi, double sin_psi, double* y) {
     const std::size_t n = slopes_.size();
-    normals_.resize(n);
     values_.resize(n);
-    for (std::size_t k = 0; k < n; ++k) normals_[k] = frame_.normal(slopes_[k] * cos_psi, slopes_[k] * sin_psi);
+    frame_.normals(cos_psi, sin_psi, slopes_, normals_);
     f_(normals_, values_);
     for (std::size_t k = 0; k < n; ++k)
       y[k] = values_[k] == 0 ? 0 : values_[k] * frame_.jacobian(normals_[k]) * slopes_[k];

@@ -44,22 +44,34 @@ std::vector<Rectangle> RayCharts::rectangles() {
   return all;
 }
 
-ChartPoint RayCharts::operator()(std::size_t chart, double x, double psi) {
+void RayCharts::operator()(std::size_t chart, std::span<const double> x, std::span<const double> psi,
+                           ChartPoints& points) {
   const std::size_t part = chart % most_parts;
   const Ends& typical = sectors_[chart / most_parts];
-  const Ends& ends = ends_in_sector(typical, psi);
-  const End& begin = ends[part];
-  const End& end = ends[part + 1];
-  const bool last = part + 2 == ends.size();
-  // Towards the horizon shadowing changes within an angle of the order of the roughness: points crowd there.
-  const bool from_horizon = part == 0 && begin.z > 0;
-  const Place place = placed(x, from_horizon || rays_.is_root(begin), last || rays_.is_root(end));
-  const double length = end.z - begin.z;
-  const double z = begin.z + length * place.at;
-  const double dz = length * place.slope;
   const double copies = symmetric_ ? 2 : 1;
-  const double r = CutRays::spread * z / (1 - z);
-  return {r * std::cos(psi), r * std::sin(psi), copies * r * dz * CutRays::spread / ((1 - z) * (1 - z))};
+  for (std::size_t first = 0; first < x.size();) { // ray by ray
+    const double azimuth = psi[first];
+    const Ends& ends = ends_in_sector(typical, azimuth);
+    const End& begin = ends[part];
+    const End& end = ends[part + 1];
+    const bool last = part + 2 == ends.size();
+    // Towards the horizon shadowing changes within an angle of the order of the roughness: points crowd there.
+    const bool from_horizon = part == 0 && begin.z > 0;
+    const bool crowd_at_begin = from_horizon || rays_.is_root(begin), crowd_at_end = last || rays_.is_root(end);
+    const double length = end.z - begin.z;
+    const double cos_psi = std::cos(azimuth), sin_psi = std::sin(azimuth);
+    std::size_t k = first;
+    for (; k < x.size() && psi[k] == azimuth; ++k) {
+      const Place place = placed(x[k], crowd_at_begin, crowd_at_end);
+      const double z = begin.z + length * place.at;
+      const double dz = length * place.slope;
+      const double r = CutRays::spread * z / (1 - z);
+      points.u1[k] = r * cos_psi;
+      points.u2[k] = r * sin_psi;
+      points.area[k] = copies * r * dz * CutRays::spread / ((1 - z) * (1 - z));
+    }
+    first = k;
+  }
 }
 
 /// What makes a sector: which switches are crossed, and how far out, by steps. The latter because an end that

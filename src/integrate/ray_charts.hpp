@@ -5,6 +5,7 @@
 #include "integrate/charts.hpp"
 #include "integrate/cut_rays.hpp"
 
+#include <span>
 #include <vector>
 
 namespace brdfplot {
@@ -22,7 +23,7 @@ public:
 
   /// All of the plane, in x across a part and in y = psi.
   std::vector<Rectangle> rectangles();
-  ChartPoint operator()(std::size_t chart, double x, double psi);
+  void operator()(std::size_t chart, std::span<const double> x, std::span<const double> psi, ChartPoints& points);
 
 private:
   using End = CutRays::End;

@@ -2,6 +2,7 @@
 
 #include "integrate/ray_charts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,24 +30,58 @@ public:
     return all;
   }
 
-  ChartPoint operator()(std::size_t chart, double x, double y) const {
+  void operator()(std::size_t chart, std::span<const double> x, std::span<const double> y, ChartPoints& points) const {
     const double side = chart < chart_count ? 1 : -1;
-    if (chart % chart_count == inside) {
-      const double q = x * (2 - x);
-      const double r = (1 - x) * std::sqrt(spread / q);
-      return {r * std::cos(y), side * r * std::sin(y), copies_ * spread * (1 - x) / (q * q)};
-    }
-    const double t = scale_ * (1 - x) / x;
-    const double horizon = std::atan(t / a_);
-    double from = below_ ? std::numbers::pi - horizon : horizon;
-    double to = std::numbers::pi;
-    if (kink_) (chart % chart_count == outside ? to : from) = std::numbers::pi - horizon;
-    const double psi = from + (to - from) * y;
-    const double r = std::hypot(a_, t);
-    return {r * std::cos(psi), side * r * std::sin(psi), copies_ * (to - from) * t * scale_ / (x * x)};
+    if (chart % chart_count == inside)
+      write_inside(side, x, y, points);
+    else
+      write_beyond(side, chart % chart_count == outside, x, y, points);
   }
 
 private:
+  void write_inside(double side, std::span<const double> x, std::span<const double> y, ChartPoints& points) const {
+    double cos_y = 1, sin_y = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      if (k == 0 || y[k] != y[k - 1]) {
+        cos_y = std::cos(y[k]);
+        sin_y = std::sin(y[k]);
+      }
+      const double q = x[k] * (2 - x[k]);
+      const double r = (1 - x[k]) * std::sqrt(spread / q);
+      points.u1[k] = r * cos_y;
+      points.u2[k] = side * r * sin_y;
+      points.area[k] = copies_ * spread * (1 - x[k]) / (q * q);
+    }
+  }
+
+  void write_beyond(double side, bool is_outside, std::span<const double> x, std::span<const double> y,
+                    ChartPoints& points) const {
+    /// What depends on x alone, which is the same in all rows of a rule.
+    struct Column {
+      double x, from, width, r, area;
+    };
+    const auto column_at = [&](double at) -> Column {
+      const double t = scale_ * (1 - at) / at;
+      const double horizon = std::atan(t / a_);
+      double from = below_ ? std::numbers::pi - horizon : horizon;
+      double to = std::numbers::pi;
+      if (kink_) (is_outside ? to : from) = std::numbers::pi - horizon;
+      return {at, from, to - from, std::hypot(a_, t), copies_ * (to - from) * t * scale_ / (at * at)};
+    };
+    std::vector<Column> columns;
+    const auto width =
+        static_cast<std::size_t>(std::ranges::find_if(y, [&](double v) { return v != y[0]; }) - y.begin());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      if (k < width) columns.push_back(column_at(x[k]));
+      const Column& known = columns[k % width];
+      const Column column = known.x == x[k] ? known : column_at(x[k]);
+      const double psi = column.from + column.width * y[k];
+      points.u1[k] = column.r * std::cos(psi);
+      points.u2[k] = side * column.r * std::sin(psi);
+      points.area[k] = column.area;
+    }
+  }
+
   enum : std::size_t { inside, outside, behind, chart_count };
   /// r = (1 - x) sqrt(spread / q), q = x (2 - x) = 1 - (1 - x)^2: smooth in r at the centre, and for distributions of
   /// unit roughness, Gaussian to long-tailed, nearly a polynomial. Infinity is at x = 0, where numbers are dense.
@@ -58,14 +93,12 @@ private:
 
 Estimate integrate_charts_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance) {
   if (f.switches.empty()) {
-    const FacingCharts charts(frame, f);
+    FacingCharts charts(frame, f);
     return integrate_charts(frame, f.value, 1, charts, charts.rectangles(), tolerance).channel(0);
   }
   const auto facing = [&](double cos_psi, double sin_psi) { return frame.facing(cos_psi, sin_psi); };
   RayCharts charts(frame, f.switches, facing, f.symmetric, false);
-  const auto rectangles = charts.rectangles();
-  const auto chart = [&](std::size_t index, double x, double y) { return charts(index, x, y); };
-  return integrate_charts(frame, f.value, 1, chart, rectangles, tolerance).channel(0);
+  return integrate_charts(frame, f.value, 1, charts, charts.rectangles(), tolerance).channel(0);
 }
 
 } // namespace
@@ -87,9 +120,7 @@ Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, dou
 ColourEstimate integrate_lit(const SlopeFrame& frame, const LitIntegrand& f, double tolerance) {
   const auto lit = [&](double cos_psi, double sin_psi) { return frame.lit(cos_psi, sin_psi); };
   RayCharts charts(frame, f.switches, lit, f.symmetric, f.kink_in_plane_of_incidence);
-  const auto rectangles = charts.rectangles();
-  const auto chart = [&](std::size_t index, double x, double y) { return charts(index, x, y); };
-  return integrate_charts(frame, f.value, f.channels, chart, rectangles, tolerance);
+  return integrate_charts(frame, f.value, f.channels, charts, charts.rectangles(), tolerance);
 }
 
 } // namespace brdfplot

@@ -20,6 +20,8 @@ public:
   SlopeFrame(const SlopeMap& map, const Direction& omega_o) : SlopeFrame(map, omega_o, Vec2{map.mean_x, map.mean_y}) {}
 
   Direction normal(double u1, double u2) const;
+  /// The normals of n slopes.
+  void normals(const double* u1, const double* u2, Direction* m, std::size_t n) const;
   /// The normals of n slopes along the viewer's azimuth, u_2 = 0.
   void normals_along(const double* u1, double* x, double* y, double* z, std::size_t n) const;
   /// d^2 u / d^2 m~.
