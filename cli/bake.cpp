@@ -73,8 +73,8 @@ int run(const BakeFlags& flags, const Settings& settings) {
   }
   const bake::TableFormat* const format = flags.output.empty() ? nullptr : &bake::format_of(flags.output);
   const bake::Stored stored = format == nullptr ? bake::Stored::float64 : stored_as(flags.type, *format);
-  MaterialDescription material = config::load_material(flags.material);
-  material.name = flags.material; // errors name the material by its file
+  MaterialDescription material = config::material_of_argument(flags.material);
+  material.name = config::name_of_argument(flags.material); // errors name the material by its file
   std::vector<bake::Axis> axes;
   for (const std::string& text : flags.over) axes.push_back(bake::parse_axis(text, "--over"));
   if (axes.empty()) axes = default_axes(material, flags.quantity);
@@ -105,7 +105,7 @@ Command add_bake(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<BakeFlags>();
   CLI::App* command = app.add_subcommand("bake", "Tables of albedo for renderers, with their error");
   set_usage(*command, {"MATERIAL.json (-o TABLE | --json)"});
-  command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
+  add_material(*command, flags->material, "The material");
   command->add_option("-q,--quantity", flags->quantity, quantity_help())->type_name("NAME");
   command
       ->add_option(

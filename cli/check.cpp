@@ -42,10 +42,14 @@ struct Checked {
 std::vector<Checked> materials_of(const CheckFlags& flags) {
   std::vector<Checked> all;
   for (const auto& file : flags.materials) {
-    const auto material = config::load_material(file);
+    const auto material = config::material_of_argument(file);
     for (auto& family : families_of(material)) {
       const bool whole = family.material == material.name;
-      all.push_back({file, std::move(family), whole ? material.claims : std::vector<std::string>{}, {}, {}});
+      all.push_back({config::name_of_argument(file),
+                     std::move(family),
+                     whole ? material.claims : std::vector<std::string>{},
+                     {},
+                     {}});
     }
   }
   return all;
@@ -258,8 +262,8 @@ Command add_check(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<CheckFlags>();
   CLI::App* command = app.add_subcommand(
       "check", "Whether masking functions conserve area and energy: Table 3 of Heitz 2014, and more");
-  command->add_option("materials", flags->materials, "The materials; default: all that is built in")
-      ->type_name("MATERIAL.json");
+  set_usage(*command, {"[MATERIAL.json]..."});
+  add_materials(*command, flags->materials, "The materials; default: all that is built in");
   command->add_flag("--json", flags->json, "Everything that was measured, as JSON");
   command->add_flag("--csv", flags->csv, "A row for each material");
   command->add_flag("--markdown", flags->markdown, "A table for a page");

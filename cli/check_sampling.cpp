@@ -123,8 +123,8 @@ int check_samplers(const std::vector<std::string>& files, const SamplingCheckFla
   std::deque<Sampler> samplers;
   std::vector<Row> rows;
   for (const std::string& file : files) {
-    materials.push_back(build(config::load_material(file)));
-    materials.back().name = file;
+    materials.push_back(build(config::material_of_argument(file)));
+    materials.back().name = config::name_of_argument(file);
     samplers.emplace_back(materials.back(), flags.strategy.empty() ? "default" : flags.strategy);
     for (const Row& row : viewers_of(materials.back(), samplers.back())) rows.push_back(row);
   }

@@ -36,6 +36,14 @@ void set_usage(CLI::App& command, const std::vector<std::string>& required) {
   command.formatter(std::make_shared<UsageFormatter>(like ? *like : CLI::Formatter(), usage));
 }
 
+CLI::Option* add_materials(CLI::App& command, std::vector<std::string>& materials, const std::string& doc) {
+  return command.add_option("-m,--material,materials", materials, doc)->type_name("MATERIAL.json|JSON");
+}
+
+CLI::Option* add_material(CLI::App& command, std::string& material, const std::string& doc) {
+  return command.add_option("-m,--material,material", material, doc)->type_name("MATERIAL.json|JSON");
+}
+
 std::string footer(const std::string& example) {
   return "Global flags, before or after the command: --threads --quiet --progress --color (see brdfplot --help)\n"
          "\nExample:\n  " +

@@ -8,6 +8,7 @@
 
 namespace CLI {
 class App;
+class Option;
 } // namespace CLI
 
 namespace brdfplot::cli {
@@ -50,6 +51,13 @@ void set_usage(CLI::App& command, const std::vector<std::string>& required);
 
 /// The end of every command's help.
 std::string footer(const std::string& example);
+
+/// The arguments of a command that are materials, or may be: files or JSON, with or without -m before them, in the
+/// order of the line; config::material_of_argument() reads them.
+CLI::Option* add_materials(CLI::App& command, std::vector<std::string>& materials, const std::string& doc);
+
+/// The same of a command that takes one.
+CLI::Option* add_material(CLI::App& command, std::string& material, const std::string& doc);
 
 /// \throws InputError when `value`, which `command` needs, is not given; `what` says what it is.
 void require_argument(bool given, const std::string& command, const std::string& what);

@@ -43,7 +43,7 @@ struct Compared {
 std::vector<MaterialDescription> load_materials(const std::vector<std::string>& files) {
   std::vector<MaterialDescription> materials;
   for (const std::string& file : files) {
-    MaterialDescription material = config::load_material(file);
+    MaterialDescription material = config::material_of_argument(file);
     int count = 1;
     for (const MaterialDescription& other : materials) count += other.name == material.name ? 1 : 0;
     if (count > 1) material.name += " (" + std::to_string(count) + ")";
@@ -132,8 +132,7 @@ Command add_compare(CLI::App& app, const Settings& settings) {
   CLI::App* command =
       app.add_subcommand("compare", "How far apart materials are: over all directions, and as lit spheres");
   set_usage(*command, {"A.json B.json..."});
-  command->add_option("materials", flags->files, "The first is what the others are held against")
-      ->type_name("A.json B.json");
+  add_materials(*command, flags->files, "The first is what the others are held against");
   command
       ->add_option("--refit", flags->refit,
                    "Fits these of the others to the first before: alpha, weight, f0, or a colour of a term; prints the "

@@ -28,8 +28,8 @@ int run(const ConvertFlags& flags, const Settings& settings) {
   if (flags.output != "-" && !flags.output.ends_with(".binary"))
     throw InputError("-o", "found \"" + echo(flags.output) +
                                "\"; accepted: a name that ends in .binary (MERL), or - (stdout)");
-  Material material = build(config::load_material(flags.material));
-  material.name = flags.material; // errors name the material by its file
+  Material material = build(config::material_of_argument(flags.material));
+  material.name = config::name_of_argument(flags.material); // errors name the material by its file
   OutputFile out(flags.output);
   std::string bytes;
   run_tasks({{flags.output, [&] { bytes = merl_bytes(material, settings.threads); }}}, settings);
@@ -44,8 +44,7 @@ Command add_convert(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<ConvertFlags>();
   CLI::App* command = app.add_subcommand("convert", "A material as a MERL file of 90 x 90 x 180 cells");
   set_usage(*command, {"MATERIAL.json -o FILE.binary"});
-  command->add_option("material", flags->material, "The material: isotropic and reciprocal, which a MERL file assumes")
-      ->type_name("MATERIAL.json");
+  add_material(*command, flags->material, "The material: isotropic and reciprocal, which a MERL file assumes");
   command
       ->add_option("-o,--output", flags->output,
                    "The file (35 MB): the BRDF at the centre of each cell, -1 in cells that are below the horizon. The "

@@ -57,8 +57,8 @@ int run(const EvalFlags& flags, const Settings& settings) {
     throw InputError("--strategy",
                      "found \"" + echo(flags.strategy) + "\" without the quantity \"pdf\"; accepted: none");
   if (!flags.strategy.empty()) options.strategy = flags.strategy;
-  Material material = build(config::load_material(flags.material));
-  material.name = flags.material; // errors name the material by its file
+  Material material = build(config::material_of_argument(flags.material));
+  material.name = config::name_of_argument(flags.material); // errors name the material by its file
   if (!flags.grid.empty() && !flags.input.empty())
     throw InputError("--grid", "found beside -i; accepted: one of the two");
   std::optional<InputFile> file;
@@ -79,7 +79,7 @@ Command add_eval(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<EvalFlags>();
   CLI::App* command = app.add_subcommand("eval", "Quantities of a material for the directions of a CSV or a grid");
   set_usage(*command, {"MATERIAL.json -q Q[,Q...]"});
-  command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
+  add_material(*command, flags->material, "The material");
   command
       ->add_option("-q,--quantities", flags->quantities,
                    "What to compute, separated by commas (brdfplot list quantities)")

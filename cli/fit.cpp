@@ -50,16 +50,16 @@ FitResult fit_of(const FitFlags& flags, const MaterialDescription& material, con
   try {
     return fit_lambda(material, options);
   } catch (const MaterialError& error) {
-    throw InputError(flags.material + ": " + error.pointer(), error.reason());
+    throw InputError(config::name_of_argument(flags.material) + ": " + error.pointer(), error.reason());
   } catch (const AccuracyError& error) {
-    throw AccuracyError(flags.material, error.what());
+    throw AccuracyError(config::name_of_argument(flags.material), error.what());
   }
 }
 
 int run(const FitFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "fit", "MATERIAL.json");
   const double tolerance = fit_tolerance(flags.tolerance);
-  const MaterialDescription material = config::load_material(flags.material);
+  const MaterialDescription material = config::material_of_argument(flags.material);
   FitResult result;
   run_tasks({{material.name,
               [&] {
@@ -83,7 +83,7 @@ Command add_fit(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<FitFlags>();
   CLI::App* command = app.add_subcommand("fit", "Smith's masking of a material as code for shaders");
   set_usage(*command, {"MATERIAL.json"});
-  command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
+  add_material(*command, flags->material, "The material");
   command->add_option("--tolerance", flags->tolerance, "Largest relative error of G1; default: 1e-4")
       ->type_name("NUMBER");
   command->add_flag(

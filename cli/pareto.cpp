@@ -33,14 +33,16 @@ struct ParetoFlags {
   std::string output;
 };
 
-bool is_file(const std::string& name) { return name.ends_with(".json") || name.find('/') != std::string::npos; }
+bool is_material(const std::string& name) {
+  return config::is_material_text(name) || name.ends_with(".json") || name.find('/') != std::string::npos;
+}
 
 /// The problems of a material; what is wrong with it is said of its file.
 std::vector<choice::Problem> problems_of_file(const std::string& file) {
   try {
-    return choice::problems_of(config::load_material(file));
+    return choice::problems_of(config::material_of_argument(file));
   } catch (const MaterialError& error) {
-    throw InputError(file + ": " + error.pointer(), error.reason());
+    throw InputError(config::name_of_argument(file) + ": " + error.pointer(), error.reason());
   }
 }
 
@@ -50,7 +52,7 @@ std::vector<choice::Problem> chosen_problems(const std::vector<std::string>& arg
   std::vector<choice::Problem> all;
   std::vector<std::string> names;
   for (const auto& argument : arguments) {
-    if (!is_file(argument)) {
+    if (!is_material(argument)) {
       names.push_back(argument);
       continue;
     }
@@ -138,7 +140,7 @@ std::string tables(const std::vector<choice::ProblemResult>& results, const Mach
   for (const auto& result : results)
     out += heading(result, times) + aligned(pareto_cells(result)) + fronts(result, times) + notes(result) +
            faults(result.problem) + "\n";
-  out += choice::pareto_legend();
+  out += choice::pareto_legend(times);
   if (machine) out += "Times: " + machine->text() + "\n";
   return out;
 }
@@ -146,7 +148,10 @@ std::string tables(const std::vector<choice::ProblemResult>& results, const Mach
 /// The files of one folder.
 std::vector<NamedText> files_of(const std::vector<choice::ProblemResult>& results, const Machine& machine) {
   std::vector<NamedText> files;
-  plot::Page page{.title = "Cost against error", .introduction = choice::pareto_legend(), .footer = "", .entries = {}};
+  plot::Page page{.title = "Cost against error",
+                  .introduction = choice::pareto_legend(machine.has_value()),
+                  .footer = "",
+                  .entries = {}};
   page.footer =
       "Made by brdfplot " + std::string(version) + " pareto" + (machine ? " on " + machine->text() : "") + ".";
   const auto add_chart = [&](const choice::ProblemResult& result, const plot::Figure& figure) {
@@ -194,12 +199,12 @@ int run(const ParetoFlags& flags, const Settings& settings) {
 Command add_pareto(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<ParetoFlags>();
   CLI::App* command = app.add_subcommand("pareto", "What every method of a quantity costs, and how far it is off");
-  command
-      ->add_option(
-          "quantities", flags->quantities,
-          "Quantities (brdfplot list problems), and a material (a file) whose own they may be; default: all, of the "
-          "material where there is one")
-      ->type_name("QUANTITY|MATERIAL.json");
+  set_usage(*command, {"[QUANTITY|MATERIAL.json]..."});
+  add_materials(
+      *command, flags->quantities,
+      "Quantities (brdfplot list problems), and a material whose own they may be; default: all, of the material "
+      "where there is one")
+      ->type_name("QUANTITY|MATERIAL.json|JSON");
   command
       ->add_option("-o,--output", flags->output,
                    "Folder of QUANTITY_cost.svg, QUANTITY_time.svg, pareto.csv, times.csv, pareto.json, index.html")

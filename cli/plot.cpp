@@ -36,7 +36,7 @@ struct PlotFlags {
   std::string cache;
 
   /// Whether materials are drawn rather than figures.
-  bool is_quick() const { return !quantities.empty() || !quick.inline_materials.empty(); }
+  bool is_quick() const { return !quantities.empty() || std::ranges::any_of(files, config::is_material_text); }
 };
 
 /// What a quantity's list and `--vs` are made of.
@@ -50,7 +50,8 @@ config::QuickFigure quick_figure(const PlotFlags& flags) {
       begin = end + 1;
     }
   for (const std::string& other : flags.vs)
-    (other.find('=') == std::string::npos ? quick.materials : quick.vs).push_back(other);
+    (config::is_material_text(other) || other.find('=') == std::string::npos ? quick.materials : quick.vs)
+        .push_back(other);
   return quick;
 }
 
@@ -177,25 +178,23 @@ Command add_plot(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<PlotFlags>();
   CLI::App* command = app.add_subcommand("plot", "Figures as SVG, CSV, PNG and PDF");
   set_usage(*command, {"FIGURE.json... -o DIR|FILE", "MATERIAL.json... -q Q[,Q...] -o DIR|FILE"});
-  command->add_option("files", flags->files, "Figures; with -q, materials")->type_name("FILE.json");
+  add_materials(*command, flags->files, "Figures; with -q, materials")->type_name("FILE.json|JSON");
   command
       ->add_option("-q,--quantity", flags->quantities,
                    "Draws this of materials, several as panels: see brdfplot list quantities")
       ->type_name("Q[,Q...]");
-  command->add_option("-m,--material", flags->quick.inline_materials, "With -q: a material as JSON text")
-      ->type_name("JSON");
   command->add_option("--at", flags->quick.at, "With -q: what is fixed, as theta_o=60deg")->type_name("NAME=VALUE");
   command->add_option("--over", flags->quick.over, "With -q: a series for each value, as alpha=0.1,0.3")
       ->type_name("NAME=VALUE,...");
   command
       ->add_option("--vs", flags->vs,
                    "With -q: a material beside the first, or the same with masking=v_cavity and the like")
-      ->type_name("FILE|NAME=TYPE");
+      ->type_name("FILE|JSON|NAME=TYPE");
   command->add_option("--x", flags->quick.x, "With -q: what is swept, as alpha=0.05:1; default: by the quantity")
       ->type_name("NAME=FROM:TO");
   command
       ->add_option("--channel", flags->quick.channel, "With -q: of what is coloured; default: each, where they differ")
-      ->type_name("r|g|b|luminance");
+      ->type_name("r|g|b|luminance|rgb");
   command->add_option("--save", flags->save, "With -q: writes the figure file that it stands for")->type_name("FILE");
   command
       ->add_option("--width", flags->width,

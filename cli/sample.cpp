@@ -29,8 +29,8 @@ int run(const SampleFlags& flags, const Settings& settings) {
   const SampleOptions options{read_whole(flags.count, 1, std::uint64_t{1} << 48, "-n"),
                               read_whole(flags.seed, 0, ~std::uint64_t{0}, "--seed"),
                               point_kind(flags.points, "--points"), settings.threads};
-  Material material = build(config::load_material(flags.material));
-  material.name = flags.material; // errors name the material by its file
+  Material material = build(config::material_of_argument(flags.material));
+  material.name = config::name_of_argument(flags.material); // errors name the material by its file
   const Sampler sampler(material, flags.strategy);
   InputFile in(flags.input);
   OutputFile out(flags.output);
@@ -45,7 +45,7 @@ Command add_sample(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<SampleFlags>();
   CLI::App* command = app.add_subcommand("sample", "Directions of the light, drawn as a renderer draws them");
   set_usage(*command, {"MATERIAL.json"});
-  command->add_option("material", flags->material, "The material")->type_name("MATERIAL.json");
+  add_material(*command, flags->material, "The material");
   command->add_option("-i,--input", flags->input, "Viewers: columns theta_o phi_o, or x_o y_o z_o; default: stdin")
       ->type_name("FILE|-");
   command

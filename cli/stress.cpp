@@ -66,7 +66,7 @@ Asked asked_by(const std::string& name) {
 }
 
 void add_material(const std::string& file, std::vector<Asked>& asked) {
-  const MaterialDescription material = config::load_material(file);
+  const MaterialDescription material = config::material_of_argument(file);
   for (auto& problem : choice::material_problems(material))
     asked.push_back({.problem = std::move(problem), .method = ""});
 }
@@ -74,7 +74,7 @@ void add_material(const std::string& file, std::vector<Asked>& asked) {
 std::vector<Asked> what_is_asked(const std::vector<std::string>& names) {
   std::vector<Asked> asked;
   for (const auto& name : names.empty() ? choice::problem_names() : names) {
-    if (name.ends_with(".json"))
+    if (config::is_material_text(name) || name.ends_with(".json"))
       add_material(name, asked);
     else
       asked.push_back(asked_by(name));
@@ -187,11 +187,11 @@ int run(const StressFlags& flags, const Settings& settings) {
 Command add_stress(CLI::App& app, const Settings& settings) {
   const auto flags = std::make_shared<StressFlags>();
   CLI::App* command = app.add_subcommand("stress", "Where methods fail: lost digits, NaN, energy from nothing");
-  command
-      ->add_option("names", flags->names,
-                   "Materials, and problems (brdfplot list problems) or methods of them (d_ggx/printed); default: all "
-                   "problems")
-      ->type_name("MATERIAL.json|METHOD");
+  set_usage(*command, {"[METHOD|MATERIAL.json]..."});
+  add_materials(*command, flags->names,
+                "Materials, and problems (brdfplot list problems) or methods of them (d_ggx/printed); default: all "
+                "problems")
+      ->type_name("METHOD|MATERIAL.json|JSON");
   command->add_option("-o,--output", flags->output, "Folder of failures.csv, failures.json and maps of errors")
       ->type_name("DIR");
   command->add_flag("--json", flags->json, "Every method with its largest error and its failures, as JSON");

@@ -27,7 +27,7 @@ int run(const std::vector<std::string>& files, const Settings& settings) {
       code = std::max(code, error.exit_code());
       continue;
     }
-    if (!settings.quiet) print(file + ": ok (" + kind + ")\n");
+    if (!settings.quiet) print(config::name_of_argument(file) + ": ok (" + kind + ")\n");
   }
   return code;
 }
@@ -38,7 +38,7 @@ Command add_validate(CLI::App& app, const Settings& settings) {
   const auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("validate", "Check materials, figures and reports without computing");
   set_usage(*command, {"FILE..."});
-  command->add_option("files", *files, "The files, of any kind")->type_name("FILE");
+  add_materials(*command, *files, "The files, of any kind")->type_name("FILE|JSON");
   command->footer(footer("brdfplot validate configs/materials/ggx.json configs/materials/rough_gold.json"));
   return {command, [files, &settings] { return run(*files, settings); }};
 }

@@ -26,6 +26,15 @@ MaterialDescription load_material(const std::string& path);
 /// The same of a text that is no file: errors say `name`, and references are relative to the working directory.
 MaterialDescription material_from_text(const std::string& json, const std::string& name);
 
+/// Whether what a command line names as a material is the material's own JSON, "{...}", rather than a file.
+bool is_material_text(const std::string& argument);
+
+/// The material that a command line names: a file, or its own JSON, whose errors say "-m".
+MaterialDescription material_of_argument(const std::string& argument);
+
+/// What errors call that: the file, or "-m".
+std::string name_of_argument(const std::string& argument);
+
 /// A figure with the text of its file; where that refers to others, with what they say in their place.
 struct FigureFile {
   plot::FigureDescription figure;
@@ -88,8 +97,9 @@ const std::vector<std::string>& kinds();
 /// The JSON Schema (draft 2020-12) of a kind, indented, ending in a newline. \throws InputError for an unknown kind.
 std::string schema(const std::string& kind);
 
-/// Reads a file as what it is (its kind is told by its keys), without computing; returns the kind.
-std::string validate(const std::string& path);
+/// Reads a file, or a material that is JSON itself (material_of_argument()), as what it is (its kind is told by its
+/// keys), without computing; returns the kind.
+std::string validate(const std::string& argument);
 
 /// What report.json says of one entry.
 struct EntryRecord {

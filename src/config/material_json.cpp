@@ -274,4 +274,18 @@ MaterialDescription material_from_text(const std::string& json, const std::strin
   return material_of(JsonFile(name, json));
 }
 
+bool is_material_text(const std::string& argument) {
+  const auto first = argument.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && argument[first] == '{';
+}
+
+std::string name_of_argument(const std::string& argument) { return is_material_text(argument) ? "-m" : argument; }
+
+MaterialDescription material_of_argument(const std::string& argument) {
+  if (!is_material_text(argument)) return load_material(argument);
+  MaterialDescription material = material_from_text(argument, "-m");
+  if (material.name == "-m") material.name = "material"; // what is written is named so too
+  return material;
+}
+
 } // namespace brdfplot::config

@@ -101,17 +101,12 @@ std::string unique_name(const std::string& name, const std::vector<NamedMaterial
 
 std::vector<NamedMaterial> materials_of(const QuickFigure& figure, const std::string& folder) {
   std::vector<NamedMaterial> out;
-  for (const std::string& path : figure.materials) {
-    MaterialDescription description = load_material(path);
-    const std::string file = std::filesystem::proximate(path, folder).generic_string();
-    out.push_back({unique_name(description.name, out), {{"$ref", file}}, std::move(description)});
-  }
-  for (const std::string& text : figure.inline_materials) {
-    const JsonFile file("-m", text);
-    file.check(*material_shape(false));
-    MaterialDescription description = read_material(file, file.root(), "");
-    const std::string name = description.name.empty() ? "material" : description.name;
-    out.push_back({unique_name(name, out), Ordered::parse(text), std::move(description)});
+  for (const std::string& argument : figure.materials) {
+    MaterialDescription description = material_of_argument(argument);
+    const Ordered json = is_material_text(argument)
+                             ? Ordered::parse(argument)
+                             : Ordered{{"$ref", std::filesystem::proximate(argument, folder).generic_string()}};
+    out.push_back({unique_name(description.name, out), json, std::move(description)});
   }
   if (out.empty()) throw InputError("plot", "a material is missing: MATERIAL.json or -m '{...}'");
   return out;
@@ -129,9 +124,16 @@ public:
     }
     for (const std::string& words : request.over)
       fixed_.push_back(assignment("--over", words, "VARIABLE=VALUE,VALUE...").name);
+    std::vector<std::string> channels = plot::channel_names();
+    channels.emplace_back("rgb");
+    if (!request.channel.empty() && std::ranges::find(channels, request.channel) == channels.end())
+      throw InputError("--channel", unknown_name("channel", request.channel, channels));
     if (request.quantities.empty()) throw InputError("plot", "-q QUANTITY is missing");
     for (const std::string& quantity : request.quantities) drawn_.push_back(drawn(quantity));
-    lobes_ = request.x.empty() && std::ranges::all_of(drawn_, &Drawn::lobe);
+    if (request.x.empty() && std::ranges::any_of(drawn_, &Drawn::needs_theta_o) && at_.contains("theta_o")) {
+      viewer_ = at_["theta_o"];
+      at_.erase("theta_o");
+    }
   }
 
   Ordered figure() {
@@ -139,7 +141,7 @@ public:
     std::string names;
     for (const NamedMaterial& material : materials_) names += (names.empty() ? "" : ", ") + material.name;
     out["id"] = id();
-    out["kind"] = lobes_ ? "polar" : "lines";
+    out["kind"] = kind_of(drawn_.front());
     out["title"] = drawn_.size() == 1 ? drawn_[0].label + ": " + names : names;
     out["caption"] = "Drawn by brdfplot plot.";
     if (drawn_.size() > 1) out["columns"] = 2;
@@ -157,7 +159,14 @@ private:
     return out;
   }
 
-  bool is_fixed(const std::string& variable) const { return std::ranges::find(fixed_, variable) != fixed_.end(); }
+  bool is_lobe(const Drawn& one) const { return one.lobe && request_.x.empty(); }
+  std::string kind_of(const Drawn& one) const { return is_lobe(one) ? "polar" : "lines"; }
+
+  /// Whether `--at` or `--over` fixes it for a quantity.
+  bool is_fixed(const std::string& variable, const Drawn& one) const {
+    if (variable == "theta_o" && viewer_ && !one.needs_theta_o) return false;
+    return std::ranges::find(fixed_, variable) != fixed_.end();
+  }
 
   Ordered swept(const Drawn& one) const {
     if (!request_.x.empty()) {
@@ -166,11 +175,11 @@ private:
       if (ends.size() != 2) throw InputError("--x", "found \"" + echo(request_.x) + "\"; accepted: VARIABLE=FROM:TO");
       return axis(name, value_of(ends[0]), value_of(ends[1]));
     }
-    const auto found = std::ranges::find_if(one.swept, [&](const std::string& name) { return !is_fixed(name); });
+    const auto found = std::ranges::find_if(one.swept, [&](const std::string& name) { return !is_fixed(name, one); });
     if (found == one.swept.end())
       throw InputError("--at", "nothing is left to sweep for " + one.quantity + "; leave out " + one.swept.front() +
                                    ", or sweep something else by --x VARIABLE=FROM:TO");
-    const auto [from, to] = range_of(*found, lobes_);
+    const auto [from, to] = range_of(*found, is_lobe(one));
     return axis(*found, from, to);
   }
 
@@ -184,18 +193,21 @@ private:
   Ordered panel(const Drawn& one) const {
     Ordered out;
     if (drawn_.size() > 1) out["title"] = one.label;
+    if (kind_of(one) != kind_of(drawn_.front())) out["kind"] = kind_of(one);
     out["x"] = swept(one);
     out["y"] = {{"label", one.label}};
     const auto sweeps = out["x"]["variable"].get<std::string>();
     Ordered at;
-    if (one.needs_theta_o && !is_fixed("theta_o") && sweeps != "theta_o") at["theta_o"] = "45deg";
-    if (one.quantity == "fresnel" && !is_fixed("theta_h")) at["theta_h"] = 0;
-    if (one.quantity == "g1" && sweeps != "theta_m" && !is_fixed("theta_m")) at["theta_m"] = 0;
+    // An arrow stands for a direction of the panel: what is looked from is said there.
+    if (one.needs_theta_o && viewer_)
+      at["theta_o"] = *viewer_;
+    else if (one.needs_theta_o && !is_fixed("theta_o", one) && sweeps != "theta_o")
+      at["theta_o"] = "45deg";
+    if (one.quantity == "fresnel" && !is_fixed("theta_h", one)) at["theta_h"] = 0;
+    if (one.quantity == "g1" && sweeps != "theta_m" && !is_fixed("theta_m", one)) at["theta_m"] = 0;
     if (!at.empty()) out["at"] = at;
-    const bool sees = lobes_ && (at.contains("theta_o") || at_.contains("theta_o"));
-    if (sees) out["arrows"] = one.quantity == "d_visible" ? Ordered{"omega_o"} : Ordered{"omega_o", "mirror"};
-    // An arrow stands for a direction of the panel.
-    if (sees && !at.contains("theta_o")) out["at"]["theta_o"] = at_["theta_o"];
+    if (is_lobe(one) && at.contains("theta_o"))
+      out["arrows"] = one.quantity == "d_visible" ? Ordered{"omega_o"} : Ordered{"omega_o", "mirror"};
     for (const NamedMaterial& material : materials_)
       for (const auto& variant : variants()) out["series"].push_back(series(one, material, variant));
     return out;
@@ -237,10 +249,10 @@ private:
 
   const QuickFigure& request_;
   std::vector<NamedMaterial> materials_;
-  Ordered at_ = Ordered::object();
+  Ordered at_ = Ordered::object(); ///< for every panel
+  std::optional<Ordered> viewer_;  ///< theta_o of --at, where it is for the quantities that need one only
   std::vector<std::string> fixed_;
   std::vector<Drawn> drawn_;
-  bool lobes_ = false;
 };
 
 } // namespace

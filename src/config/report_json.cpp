@@ -289,6 +289,7 @@ void expect_kind(const JsonFile& file, const std::string& kind) {
 }
 
 std::string validate(const std::string& path) {
+  if (is_material_text(path)) return material_of_argument(path), "material";
   const std::string kind = kind_of_file(JsonFile(path));
   if (kind == "figure") return load_figure(path), kind;
   if (kind == "report") return load_report(path), kind;

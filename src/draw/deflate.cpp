@@ -11,7 +11,7 @@ std::string deflated(std::string_view bytes) {
   std::string out(size, '\0');
   const int result =
       compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
+                static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
   if (result != Z_OK) throw std::bad_alloc(); // the room is enough: nothing else can fail
   out.resize(size);
   return out;

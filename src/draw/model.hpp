@@ -126,10 +126,11 @@ struct Panel {
   std::optional<Grid> grid;      ///< heat map only
   std::vector<Contour> contours; ///< heat map only
   std::vector<Note> notes{};
-  std::optional<Sketch> sketch{};   ///< profile only: its series are the parts of the surface, broken by NaN
-  std::optional<Picture> picture{}; ///< spheres only: its series are the radiance along a diameter, not drawn
-  bool drawn = true;                ///< else it is in the CSV only
-  std::optional<Kind> kind{};       ///< where it is not the figure's
+  std::optional<Sketch> sketch{}; ///< profile only: its series are the parts of the surface, broken by NaN
+  /// Spheres only; `x` goes over the picture, in radii. Its series are the radiance along a diameter, not drawn.
+  std::optional<Picture> picture{};
+  bool drawn = true;          ///< else it is in the CSV only
+  std::optional<Kind> kind{}; ///< where it is not the figure's
 };
 
 /// Which panels share the range of their value axis where it is automatic.

@@ -57,7 +57,8 @@ Figure figure_of(const choice::ProblemResult& result, choice::CostKind cost, con
       {chart_of(result, cost, choice::ErrorKind::absolute), chart_of(result, cost, choice::ErrorKind::relative)},
       problem.name + suffix, problem.doc + ": " + place,
       "Cost of one value against the largest error found at " + std::to_string(result.samples) +
-          " inputs over the whole domain.");
+          " inputs over the whole domain, and by a search from the worst of them. An error above 10 is drawn at 10, "
+          "with its size in brackets.");
 }
 
 } // namespace

@@ -105,6 +105,35 @@ TEST_CASE("a quick figure is saved as the figure file that it stands for") {
   CHECK(check_output(folder, "brdfplot validate kept/figure.json").find("figure") != std::string::npos);
 }
 
+TEST_CASE("several quantities are panels, each of its own kind") {
+  const Folder folder;
+  write_materials(folder);
+  check_output(folder, "brdfplot plot rough.json -q g1,brdf,albedo --at theta_o=60deg -o a.csv --save a.json");
+  const std::string saved = folder.read("a.json");
+  CHECK(saved.find("\"kind\": \"lines\"") != std::string::npos);
+  CHECK(saved.find("\"kind\": \"polar\"") != std::string::npos);
+  const auto rows = cells(folder.read("a.csv"));
+  CHECK(rows[0] == std::vector<std::string>{"panel", "series", "theta_o", "theta_i", "value"});
+  // G1 and the albedo go over theta_o, which is fixed for the lobe alone.
+  check_output(folder, "brdfplot plot rough.json -q g1 -o g1.csv");
+  check_output(folder, "brdfplot plot rough.json -q brdf --at theta_o=60deg -o brdf.csv");
+  const auto values = [&](const std::string& panel) {
+    std::vector<std::string> out;
+    for (const auto& row : rows)
+      if (row[0] == panel) out.push_back(row[2] + row[3] + " " + row[4]);
+    return out;
+  };
+  for (const auto& [panel, file] : {std::pair{"G_1", "g1.csv"}, {"ρ (1/sr)", "brdf.csv"}}) {
+    std::vector<std::string> alone;
+    for (const auto& row : cells(folder.read(file)))
+      if (row[0] != "panel") alone.push_back(row[2] + " " + row[3]);
+    CHECK(values(panel) == alone);
+  }
+  CHECK(values("albedo").size() > 10);
+  check_output(folder, "brdfplot plot a.json -o b.csv");
+  CHECK(folder.read("b.csv") == folder.read("a.csv"));
+}
+
 TEST_CASE("wrong words of a quick figure") {
   const Folder folder;
   write_materials(folder);
@@ -121,6 +150,8 @@ TEST_CASE("wrong words of a quick figure") {
   check_error(folder, "brdfplot plot rough.json -q g1 --font-size 9pt -o a.png", 2, {"--font-size", "--width"});
   check_error(folder, "brdfplot plot rough.json -q g1 --width acm --font-size 0pt -o a.png", 2,
               {"--font-size", "\"0pt\""});
+  check_error(folder, "brdfplot plot rough.json -q brdf --channel red -o a.svg", 2,
+              {"--channel", "\"red\"", "accepted: r, g, b, luminance, rgb"});
   check_error(folder, "brdfplot plot rough.json -o a.svg", 2, {"rough.json", "-q"});
   check_error(folder, "brdfplot plot -q g1 -o a.svg", 2, {"a material is missing"});
   check_error(folder, R"(brdfplot plot -m '{"distribution": {"type": "gxg"}}' -q g1 -o a.svg)", 2,

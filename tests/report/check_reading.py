@@ -1,14 +1,15 @@
-"""Uses the page of a report as a reader does, in headless Chromium: a pointer on curves, lobes and cells, whose values
-are compared with the CSV beside the page; a legend that hides; a figure that opens large; files that are saved; a narrow
-screen; and no scripts at all.
+"""Uses the page of a report as a reader does, in headless Chromium: a pointer on curves, lobes, cells and profiles, whose
+values are compared with the CSV beside the page; a legend that hides; a figure that opens large; files that are saved; a
+narrow screen; and no scripts at all. A page of `brdfplot compare` has spheres: a pointer reads these too.
 
-    check_reading.py PAGE.html
+    check_reading.py PAGE.html BRDFPLOT
 """
 
 import csv
 import json
 import math
 import re
+import subprocess
 import sys
 import tempfile
 import time
@@ -93,7 +94,8 @@ class Page:
         return self.ask(TIP)
 
     def rows(self, figure: str) -> list[dict[str, str]]:
-        with (self.path.parent / "figures" / f"{figure}.csv").open(encoding="utf-8", newline="") as file:
+        (name,) = self.path.parent.rglob(f"{figure}.csv")
+        with name.open(encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))
 
     def faults(self) -> list[str]:
@@ -142,7 +144,7 @@ def check_values(page: Page, figure: str, columns: tuple[str, str], panel_index:
         told = numbers(tip)[-2:]  # a series may be called "α = 0.3"
         if len(told) != 2 or not Axis(panel["x"]).close(told[0], x) or not Axis(panel["y"]).close(told[1], y):
             faults.append(f"{figure}: a pointer at {x}, {y} is told {tip!r}")
-        if "°" not in tip:
+        if panel["kind"] != "profile" and "°" not in tip:
             faults.append(f"{figure}: {tip!r} has no unit")
     return faults
 
@@ -159,6 +161,26 @@ def check_cells(page: Page, figure: str) -> list[str]:
             told = numbers(tip)
             if len(told) != 3 or abs(told[2] - value) > 1e-4 * abs(value) or not Axis(panel["x"]).close(told[0], float(row[x])):
                 faults.append(f"{figure}: the cell {row} is told as {tip!r}")
+    return faults
+
+
+def check_spheres(page: Page, figure: str) -> list[str]:
+    """The angle at places of a sphere, and what its middle shows (the exposure is 1)."""
+    panel = page.ask(f"{PANELS}({json.dumps(figure)})")[0]
+    left, top, width, height = map(float, panel["plot"].split())
+    start, end = map(float, panel["x"].split()[:2])
+    rows = page.rows(figure)
+    rows = [row for row in rows if row["panel"] == rows[0]["panel"] and row["position"] != ""]
+    middle = [float(row["radiance"]) for row in rows if abs(float(row["position"])) < 0.02]
+    faults = []
+    for degrees in (0, 30, 60):
+        away = math.sin(math.radians(degrees)) / (end - start)
+        tip = page.read_at(figure, left + (0.5 + away) * width, top + 0.5 * height)
+        told = re.fullmatch(r"θo = ([\d.]+)°\n.*: (\S+)", tip.replace("θ\no", "θo"))
+        if not told or abs(float(told[1]) - degrees) > 1.5:
+            faults.append(f"{figure}: at {degrees} degrees a pointer is told {tip!r}")
+        elif degrees == 0 and not 0.9 * min(middle) <= float(told[2]) <= 1.1 * max(middle):
+            faults.append(f"{figure}: the middle has {middle}, and is told as {tip!r}")
     return faults
 
 
@@ -223,14 +245,23 @@ def check_without_scripts(page: Page) -> list[str]:
     return faults
 
 
-def check(path: Path) -> list[str]:
-    faults = []
+def check_comparison(brdfplot: str) -> list[str]:
+    materials = [str(Path(__file__).parents[2] / "configs/materials" / f"{name}.json") for name in ("ggx", "beckmann")]
+    with tempfile.TemporaryDirectory() as folder, Browser() as browser:
+        subprocess.run([brdfplot, "compare", *materials, "-o", folder, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+        page = Page(browser, Path(folder, "index.html"), 1200)
+        return check_spheres(page, "spheres") + page.faults()
+
+
+def check(path: Path, brdfplot: str) -> list[str]:
+    faults = check_comparison(brdfplot)
     if path.stat().st_size > LARGEST:
         faults.append(f"{path.stat().st_size} bytes, more than {LARGEST}")
     with Browser() as browser:
         page = Page(browser, path, 1200)
         faults += check_values(page, "fig06_first_bounce", ("theta_o", "value"))
         faults += check_values(page, "fig05_visible_normals", ("theta_m", "value"))
+        faults += check_values(page, "fig02_microsurface", ("x", "height"))
         faults += check_cells(page, "fig09_v_cavity")
         faults += check_large(page, "fig06_first_bounce", ("theta_o", "value"))
         faults += check_files(page, "fig06_first_bounce")
@@ -246,9 +277,9 @@ def check(path: Path) -> list[str]:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    if len(sys.argv) != 3 or sys.argv[1].startswith("-"):
         sys.exit(__doc__)
-    found = check(Path(sys.argv[1]))
+    found = check(Path(sys.argv[1]), sys.argv[2])
     for fault in found:
         print(fault)
     sys.exit(bool(found))

@@ -49,7 +49,7 @@ void oren_nayar_albedo(std::size_t n, const double* const* in, double* out) {
 
 Problem albedo_oren_nayar() {
   Problem p{.name = "albedo_oren_nayar",
-            .doc = "what a rough white wall reflects",
+            .doc = "What a rough white wall reflects",
             .source = "Oren and Nayar 1994, Eq. 30",
             .inputs = {{"sigma", "standard deviation of the facets' inclination, rad", 0, 1},
                        {"theta_o", "polar angle of the viewer", 0, 1.57}},

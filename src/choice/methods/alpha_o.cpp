@@ -46,7 +46,7 @@ void alpha_o_kernel(std::size_t n, const double* const* in, double* out) {
 
 Problem alpha_o() {
   Problem p{.name = "alpha_o",
-            .doc = "the roughness projected onto a direction",
+            .doc = "Roughness projected onto a direction",
             .source = "Heitz 2014, Eq. 80",
             .inputs = {{"alpha_x", "roughness along x", 1e-3, 1, Scale::logarithmic},
                        {"alpha_y", "roughness along y", 1e-3, 1, Scale::logarithmic},

@@ -30,7 +30,7 @@ Exact exact_angle(std::span<const double> x) { return exact_of(Real(asin(Real(x[
 
 Problem angle_from_cosine() {
   Problem p{.name = "angle_from_cosine",
-            .doc = "the angle of a direction (x, 0, z) to the normal",
+            .doc = "Angle of a direction (x, 0, z) to the normal",
             .source = "the definition",
             .inputs = {{"x", "its horizontal component", 1e-12, 1, Scale::logarithmic}},
             .exact = exact_angle,

@@ -43,7 +43,7 @@ Run<T> beckmann_density_kernel() {
 
 Problem d_beckmann() {
   Problem p{.name = "d_beckmann",
-            .doc = "the distribution of normals of Beckmann",
+            .doc = "Distribution of normals of Beckmann",
             .source = "Heitz 2014, Eq. 68",
             .inputs = {{"alpha", "roughness", 1e-4, 1, Scale::logarithmic},
                        {"cos_theta", "cosine of the normal to the geometric one", 1e-100, 1}},

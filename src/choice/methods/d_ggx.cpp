@@ -52,7 +52,7 @@ Run<T> ggx_density_kernel() {
 
 Problem d_ggx() {
   Problem p{.name = "d_ggx",
-            .doc = "the distribution of normals of GGX",
+            .doc = "Distribution of normals of GGX",
             .source = "Walter et al. 2007, Eq. 33",
             .inputs = {{"alpha", "roughness", 1e-6, 1, Scale::logarithmic},
                        {"cos_theta", "cosine of the normal to the geometric one", 1e-30, 1}},

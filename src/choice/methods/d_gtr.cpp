@@ -49,7 +49,7 @@ void gtr_density_kernel(std::size_t n, const double* const* in, double* out) {
 
 Problem d_gtr() {
   Problem p{.name = "d_gtr",
-            .doc = "the distribution of normals of Generalized Trowbridge-Reitz",
+            .doc = "Distribution of normals of Generalized Trowbridge-Reitz",
             .source = "Akenine-Moller et al. 2018, Eqs. 9.46-9.47",
             .inputs = {{"alpha", "roughness", 1e-3, 10, Scale::logarithmic},
                        {"gamma", "exponent of the tail", 0.1, 10},

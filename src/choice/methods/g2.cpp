@@ -103,7 +103,7 @@ Problem g2() {
               "Lagarde and de Rousiers 2014; RTR4, Eq. 9.43", Kind::rewritten, RootsG2{}, examples);
   add_formula(p, "separable", "G1(o) G1(i)", "Walter et al. 2007; Heitz 2014, Eq. 98", Kind::approximation,
               SeparableG2{}, examples);
-  add_formula(p, "minimum", "min(G1(o), G1(i))", "Heitz 2014, section 6.3", Kind::approximation, MinimumG2{}, examples);
+  add_formula(p, "minimum", "min(G1(o), G1(i))", "Heitz 2014, section 6", Kind::approximation, MinimumG2{}, examples);
   add_formula(p, "karis_2013", "2 c / (c (2 - alpha) + alpha) of both, multiplied", "Karis 2013; RTR4, Eq. 9.44",
               Kind::approximation, KarisG2{}, examples);
   add_formula(p, "hammon_2017", "2 c_o c_i / lerp(2 c_o c_i, c_o + c_i, alpha)", "Hammon 2017; RTR4, Eq. 9.45",

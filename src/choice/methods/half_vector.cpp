@@ -49,7 +49,7 @@ void half_vector_kernel(std::size_t n, const double* const* in, double* out) {
 
 Problem half_vector() {
   Problem p{.name = "half_vector",
-            .doc = "the cosine of the half vector of two directions on opposite sides of the normal",
+            .doc = "Cosine of the half vector of two directions on opposite sides of the normal",
             .source = "Heitz 2014, Table 1",
             .inputs = {{"cos_o", "cosine of the viewer's direction", 0, 1}, {"cos_i", "of the light's", 0, 1}},
             .exact = exact_half_vector,

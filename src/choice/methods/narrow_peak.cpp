@@ -92,7 +92,7 @@ void add_rule(Problem& p, const std::string& name, const std::string& doc, const
 
 Problem narrow_peak() {
   Problem p{.name = "narrow_peak",
-            .doc = "the share of GGX's slopes along x that lie in [-1, 1]: a quadrature of a peak",
+            .doc = "Share of GGX's slopes along x that lie in [-1, 1]: a quadrature of a peak",
             .source = "Heitz 2014, Eq. 71, integrated over y",
             .inputs = {{"alpha", "roughness, the width of the peak", 1e-6, 1, Scale::logarithmic},
                        {"mean", "mean slope, where the peak is", -0.9, 0.9}},

@@ -25,7 +25,7 @@ Run<double> furnace_run(Integral integral) {
 Problem weak_furnace() {
   Problem p{
       .name = "weak_furnace",
-      .doc = "the weak white furnace test of GGX with Smith's masking, which is 1",
+      .doc = "Weak white furnace test of GGX with Smith's masking, which is 1",
       .source = "Heitz 2014, Eq. 36",
       .inputs = {{"alpha", "roughness", 1e-3, 1, Scale::logarithmic}, {"theta_o", "polar angle of the viewer", 0, 1.5}},
       .exact =

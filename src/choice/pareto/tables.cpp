@@ -161,12 +161,14 @@ std::string front_line(const ProblemResult& result, CostKind cost, ErrorKind err
   return line;
 }
 
-std::string pareto_legend() {
-  return "cost: estimated, in multiply-adds of floats (a double counts twice). bytes: of tables. ns:\n"
-         "least processor time of a value; ratio: against the reference. relative, ulp, absolute: the largest errors\n"
-         "found; where: of the absolute one.\n"
-         "front, timed: r, a: nothing is as cheap and as good in the relative or absolute error, by cost, by time.\n"
-         "Times within 10 % and errors within 25 % of each other are not told apart.\n";
+std::string pareto_legend(bool times) {
+  return std::string("cost: estimated, in multiply-adds of floats (a double counts twice). bytes: of tables.") +
+         (times ? " ns:\nleast processor time of a value; ratio: against the reference." : "") +
+         " relative, ulp, absolute: the largest errors\nfound; where: of the absolute one.\n" +
+         (times ? "front, timed: r, a: nothing is as cheap and as good in the relative or absolute error, by cost, by "
+                  "time.\nTimes within 10 % and errors"
+                : "front: r, a: nothing is as cheap and as good in the relative or absolute error.\nErrors") +
+         " within 25 % of each other are not told apart.\n";
 }
 
 } // namespace brdfplot::choice

@@ -22,6 +22,6 @@ std::vector<std::vector<std::string>> pareto_cells(const ProblemResult& result);
 std::string front_line(const ProblemResult& result, CostKind cost, ErrorKind error);
 
 /// What the columns of pareto_cells() mean, in lines.
-std::string pareto_legend();
+std::string pareto_legend(bool times);
 
 } // namespace brdfplot::choice

@@ -156,6 +156,34 @@ async function readCell(svg, panel, p) {
   const z = cell.value === '' || cell.value === 'nan' ? value.label + ': undefined' : told(value, +cell.value, true);
   return {at, lines: [told(ax, cell.x), told(ay, cell.y), z]};
 }
+// A sphere's pixel: the angle from the normal there to the viewer, and the light that is shown, which sRGB encodes.
+const pixels = new WeakMap();
+async function pixelsOf(panel) {
+  if (!pixels.has(panel)) {
+    const picture = make('img', {src: panel.querySelector('image').getAttribute('href')});
+    await picture.decode();
+    const pen = make('canvas', {width: picture.width, height: picture.height}).getContext('2d');
+    pen.drawImage(picture, 0, 0);
+    pixels.set(panel, pen.getImageData(0, 0, picture.width, picture.height));
+  }
+  return pixels.get(panel);
+}
+function linear(byte) {
+  const c = byte / 255;
+  const light = c <= 0.04045 ? c / 12.92 : Math.pow((c + 0.055) / 1.055, 2.4);
+  return byte === 255 ? '≥ 1' : String(+light.toPrecision(2));
+}
+async function readPixel(svg, panel, p) {
+  const box = boxOf(panel), ax = axis(panel, 'x'), {data, width, height} = await pixelsOf(panel);
+  const px = (p.x - box.x) / box.w, py = (p.y - box.y) / box.h, away = Math.hypot(valueAt(ax, px), valueAt(ax, py));
+  if (away >= 1) return null;
+  const first = 4 * (Math.floor(py * height) * width + Math.floor(px * width));
+  const shown = [...data.slice(first, first + 3)].map(linear);
+  const grey = shown[0] === shown[1] && shown[0] === shown[2];
+  const angle = {from: 0, to: Math.PI / 2, unit: 'degrees', label: 'θ<sub>o</sub>'};
+  return {at: p, lines: [told(angle, Math.asin(away)), `exposure × radiance: ${(grey ? [shown[0]] : shown).join(', ')}`]};
+}
+const readers = {heatmap: readCell, spheres: readPixel};
 let last = null;
 function forget() {
   last = null;
@@ -169,7 +197,7 @@ async function read(event, svg) {
     const b = boxOf(each);
     return p.x > b.x - 6 && p.x < b.x + b.w + 6 && p.y > b.y - 6 && p.y < b.y + b.h + 6;
   });
-  const found = panel && await (panel.dataset.kind === 'heatmap' ? readCell : readCurve)(svg, panel, p);
+  const found = panel && await (readers[panel.dataset.kind] || readCurve)(svg, panel, p);
   if (here !== last) return; // the pointer has moved on
   forget();
   if (!found) return;

@@ -39,15 +39,19 @@ std::string plot_box(const Box& box) {
 } // namespace
 
 std::string reading_attributes(Kind kind, const PanelPlan& plan) {
-  if (kind == Kind::profile || kind == Kind::spheres) return {};
   const Panel& panel = *plan.panel;
   std::string out;
   append_attribute(out, "kind", kind_of(kind).name);
   append_attribute(out, "plot", plot_box(plan.plot));
   Axis x = panel.x;
   if (kind == Kind::polar && x.unit == Unit::none) x.unit = Unit::degrees; // as its spokes are labelled
+  Axis y = panel.y;
+  if (kind == Kind::profile) {
+    x.label = "x";
+    y.label = "height";
+  }
   append_axis(out, "x", x, plan.x);
-  append_axis(out, "y", panel.y, plan.y);
+  append_axis(out, "y", y, plan.y);
   if (kind != Kind::heatmap) return out;
   append_axis(out, "value", panel.value.value_or(Axis{}), plan.value);
   append_attribute(out, "panel", strip_markup(panel.title));

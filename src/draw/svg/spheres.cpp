@@ -13,6 +13,7 @@ void measure_spheres(const Figure&, FigurePlan& plan, double width) {
   for (PanelPlan& panel : plan.panels) {
     if (panel.kind != Kind::spheres) continue;
     panel.plot.w = panel.plot.h = side;
+    panel.x = panel.y = {panel.panel->x.from, panel.panel->x.to};
     panel.insets = {(cell - side) / 2, (cell - side) / 2, 2, 0};
   }
 }

@@ -55,7 +55,9 @@ const std::vector<std::string>& direction_variables() {
 void Configuration::set_model(const std::string& variable, const std::string& type) {
   if (variable == "channel") {
     const auto found = std::ranges::find(channel_names(), type);
-    if (found == channel_names().end()) throw InputError("", unknown_name(variable, type, channel_names()));
+    if (found == channel_names().end())
+      throw InputError("", unknown_name(variable, type, channel_names()) +
+                               "; all three are \"channel\": \"rgb\" of a figure, panel or series");
     channel_ = static_cast<Channel>(found - channel_names().begin());
     return;
   }

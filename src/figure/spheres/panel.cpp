@@ -187,6 +187,8 @@ Panel sphere_panel(const PanelDescription& description, int threads) {
   Panel panel;
   panel.title = description.title;
   panel.x = description.x;
+  panel.x.to = 0.5 / radius_in_picture;
+  panel.x.from = -panel.x.to;
   panel.y = description.y;
   panel.series = series_of(shaded);
   panel.picture = picture_of(sphere, shaded);
