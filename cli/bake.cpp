@@ -53,7 +53,9 @@ bake::Stored stored_as(const std::string& type, const bake::TableFormat& format)
 /// What is baked where nothing is said: over cos theta_o and, where it has one, alpha.
 std::vector<bake::Axis> default_axes(const MaterialDescription& material, const std::string& quantity) {
   std::vector<bake::Axis> axes;
-  if (!quantity.starts_with("mean_") || quantity == "mean_fresnel")
+  if (quantity.starts_with("inverse_"))
+    axes.push_back(bake::parse_axis("u=0:1", "--over"));
+  else if (!quantity.starts_with("mean_") || quantity == "mean_fresnel")
     axes.push_back(bake::parse_axis("cos_theta_o=0:1", "--over"));
   const std::vector<std::string> keys = parameter_keys(material);
   if (std::ranges::find(keys, "alpha") != keys.end()) axes.push_back(bake::parse_axis("alpha=0.01:1", "--over"));
@@ -110,20 +112,20 @@ Command add_bake(CLI::App& app, const Settings& settings) {
   command
       ->add_option(
           "--over", flags->over,
-          "An axis, the first one fastest; each may be given: cos_theta_o, theta_o, phi_o or a parameter of the "
-          "material. Nodes are at FROM + (TO - FROM) t^POWER, t = 0 to 1; default: cos_theta_o=0:1 and, where "
-          "there is one, alpha=0.01:1, of 32 nodes")
+          "An axis, the first one fastest; each may be given: cos_theta_o, theta_o, phi_o, u or a parameter of the "
+          "material. Nodes are at FROM + (TO - FROM) t^POWER, t = 0 to 1; default: cos_theta_o=0:1, or u=0:1 of "
+          "inverses, and, where there is one, alpha=0.01:1, of 32 nodes")
       ->type_name("NAME=FROM:TO[:NODES[:POWER]]");
   command
-      ->add_option(
-          "--error", flags->error,
-          "Takes as many nodes as the interpolation needs to be off by no more, and powers of 1 to 3 where none "
-          "is given")
+      ->add_option("--error", flags->error,
+                   "Takes as many nodes as the interpolation needs to be off by no more, and powers of 1 to 3, of u to "
+                   "8, where none "
+                   "is given")
       ->type_name("E");
   command->add_option("--tolerance", flags->tolerance, "Of the integrals; default: 1e-6")->type_name("E");
   command
       ->add_option("--type", flags->type,
-                   "How numbers are stored: float, half (.npy, .ktx2), double (.npy); default: float")
+                   "How numbers are stored: float, half (.npy, .ktx2, .exr), double (.npy); default: float")
       ->type_name("TYPE");
   command->add_option("-o,--output", flags->output, output_help())->type_name("TABLE");
   command->add_flag("--json", flags->json, "The table and its error as JSON on stdout");

@@ -7,10 +7,13 @@
 
 namespace brdfplot::bake {
 
+/// The variable of an inverse cumulative table: a share, in [0, 1].
+inline constexpr const char* share_axis = "u";
+
 /// Nodes at from + (to - from) (k / (nodes - 1))^power, both ends among them: at `power` 1 evenly spaced, above it
 /// closer at `from`. A texture is read at ((x - from) / (to - from))^(1 / power).
 struct Axis {
-  std::string variable; ///< cos_theta_o, theta_o or phi_o (radians), or a parameter of the material
+  std::string variable; ///< cos_theta_o, theta_o or phi_o (radians), u, or a parameter of the material
   double from = 0, to = 1;
   std::size_t nodes = 32;
   int power = 1;

@@ -148,7 +148,10 @@ int best_power(const Baked& baked, const std::vector<Axis>& axes, std::size_t ax
   for (Axis& one : coarse) one.nodes = first_nodes, one.power = std::max(one.power, 1);
   int best = 1;
   double least = infinity;
-  for (const int power : {1, 2, 3}) {
+  // What is inverted leaves 0 as a root, or as a logarithm does.
+  const std::vector<int> powers =
+      axes[axis].variable == share_axis ? std::vector{1, 2, 3, 4, 6, 8} : std::vector{1, 2, 3};
+  for (const int power : powers) {
     coarse[axis].power = power;
     const double error = Grid(baked, coarse, threads).off_along(axis).error;
     if (error < least) best = power, least = error;

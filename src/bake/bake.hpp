@@ -20,9 +20,9 @@ struct BakeOptions {
 inline constexpr std::size_t most_points = 1'000'000;
 
 /// A table of the material over the axes. Where `nodes` or `power` of an axis is 0 it is chosen: 32 nodes, or as many
-/// as the error asks for; a power of 1, or with an error that of 1, 2 and 3 whose interpolation is off least on 9
-/// nodes. \throws InputError for axes that the quantity has not, more than most_points, and an error below the
-/// tolerance
+/// as the error asks for; a power of 1, or with an error that of 1, 2 and 3 (of u 4, 6 and 8 too) whose interpolation
+/// is off least on 9 nodes. \throws InputError for axes that the quantity has not, more than most_points, and an error
+/// below the tolerance
 BakedTable bake(const MaterialDescription& material, const std::string& quantity, std::vector<Axis> axes,
                 const BakeOptions& options);
 

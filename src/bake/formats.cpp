@@ -77,6 +77,7 @@ const std::vector<TableFormat>& table_formats() {
   static const std::vector<TableFormat> all = {
       {".npy", "NumPy", {Stored::float32, Stored::half, Stored::float64}, npy_bytes},
       {".ktx2", "a texture of Khronos, of 1 to 3 axes", {Stored::float32, Stored::half}, ktx2_bytes},
+      {".exr", "an image, of 1 or 2 axes", {Stored::float32, Stored::half}, exr_bytes},
       {".h", "C, with a function that reads it", {Stored::float32}, c_header},
       {".glsl", "GLSL, with a function that reads it", {Stored::float32}, glsl_source},
       {".csv", "a row a node", {Stored::float64}, csv_text},

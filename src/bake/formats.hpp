@@ -12,7 +12,7 @@ namespace brdfplot::bake {
 /// How numbers are stored in a file.
 enum class Stored {
   float32, ///< IEEE binary32
-  half,    ///< IEEE binary16, in .npy and .ktx2
+  half,    ///< IEEE binary16, in .npy, .ktx2 and .exr
   float64, ///< IEEE binary64, in .npy
 };
 
@@ -36,6 +36,7 @@ const TableFormat& format_of(const std::string& path);
 
 std::string npy_bytes(const BakedTable& baked, Stored stored, const std::string& path);
 std::string ktx2_bytes(const BakedTable& baked, Stored stored, const std::string& path);
+std::string exr_bytes(const BakedTable& baked, Stored stored, const std::string& path);
 std::string c_header(const BakedTable& baked, Stored stored, const std::string& path);
 std::string glsl_source(const BakedTable& baked, Stored stored, const std::string& path);
 std::string csv_text(const BakedTable& baked, Stored stored, const std::string& path);

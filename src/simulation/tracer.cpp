@@ -2,7 +2,11 @@
 
 #include "base/interruptible.hpp"
 
+#if BRDFPLOT_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -22,6 +26,32 @@ constexpr float lift = 1e-4F;
 constexpr float overlap = 1e-3F;
 
 constexpr std::size_t lanes = 8;
+
+/// A call's view of its rays, which lie near each other or do not: Embree 3 has it in a context, 4 in arguments.
+class RayQuery {
+public:
+#if BRDFPLOT_EMBREE == 3
+  explicit RayQuery(bool coherent) {
+    rtcInitIntersectContext(&context_);
+    context_.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  }
+  void trace(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &context_, &ray); }
+  void trace(RTCScene scene, const int* valid, RTCRayHit8& rays) { rtcIntersect8(valid, scene, &context_, &rays); }
+
+private:
+  RTCIntersectContext context_;
+#else
+  explicit RayQuery(bool coherent) {
+    rtcInitIntersectArguments(&arguments_);
+    arguments_.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  }
+  void trace(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &ray, &arguments_); }
+  void trace(RTCScene scene, const int* valid, RTCRayHit8& rays) { rtcIntersect8(valid, scene, &rays, &arguments_); }
+
+private:
+  RTCIntersectArguments arguments_;
+#endif
+};
 
 /// Never freed before the process ends: Embree's threads live as long.
 RTCDevice device() {
@@ -205,9 +235,7 @@ void Tracer::visible(std::span<const SurfacePoint> points, const Direction& dire
 }
 
 void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& direction, unsigned char* hit) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RayQuery query(true);
   const Period& period = scene_->period;
   const Direction down = -1.0 * direction;
   const Aim downwards(down);
@@ -232,7 +260,7 @@ void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& directi
       send(k, false);
     }
     while (left > 0) {
-      rtcIntersect8(valid.data(), scene_->scene, &context, &rays);
+      query.trace(scene_->scene, valid.data(), rays);
       for (std::size_t k = 0; k < count; ++k) {
         if (valid[k] == 0) continue;
         const bool found = rays.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
@@ -255,9 +283,7 @@ void Tracer::first_hits(std::span<SurfacePoint> points, const Direction& directi
 }
 
 Tracer::Fate Tracer::next_hit(SurfacePoint& point, const Direction& direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  RayQuery query(false);
   const Period& period = scene_->period;
   const auto nx = static_cast<unsigned>(field_->nx());
   const Direction& d = direction;
@@ -278,7 +304,7 @@ Tracer::Fate Tracer::next_hit(SurfacePoint& point, const Direction& direction) c
     ray.ray.mask = 0xFFFFFFFF;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     for (;;) {
-      rtcIntersect1(scene_->scene, &context, &ray);
+      query.trace(scene_->scene, ray);
       if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
       const unsigned cell = ray.hit.primID;
       const SurfacePoint found = field_->on_facet(static_cast<int>(cell % nx), static_cast<int>(cell / nx),

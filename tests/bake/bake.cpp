@@ -103,6 +103,49 @@ TEST_CASE("the mean albedo is the mean of the albedo") {
   }
 }
 
+TEST_CASE("an inverse cumulative table is the inverse") {
+  // GGX: the share of D cos theta beyond theta is tan^2 / (alpha^2 + tan^2) turned round: tan^2 = alpha^2 (1 - u) / u.
+  const double alpha = 0.4;
+  const auto normals = bake::bake(ggx(alpha), "inverse_normals", axes({"u=0:1"}), {.error = 2e-3});
+  CHECK(normals.bound <= 2e-3);
+  for (int k = 0; k <= 5000; ++k) {
+    const double t = k / 5000.0, u = normals.table.axes[0].at(t);
+    const double exact = u > 0 ? 1 / std::sqrt(1 + alpha * alpha * (1 - u) / u) : 0;
+    if (std::fabs(normals.table.interpolated({t})[0] - exact) > normals.bound) FAIL(u);
+  }
+
+  // Beckmann: tan^2 = -alpha^2 ln(u), which leaves 0 steeply.
+  MaterialDescription beckmann = ggx(1);
+  beckmann.terms[0].distribution.type = "beckmann";
+  const auto steep = bake::bake(beckmann, "inverse_normals", axes({"u=0:1", "alpha=0.1:1:3"}), {.error = 0.01});
+  for (int k = 1; k <= 5000; ++k) {
+    const double t = k / 5000.0, u = std::max(steep.table.axes[0].at(t), 0x1p-53);
+    const double exact = 1 / std::sqrt(1 - std::log(u));
+    if (std::fabs(steep.table.interpolated({t, 1})[0] - exact) > steep.bound) FAIL(u);
+  }
+
+  // The matte part: the share of (1 - E) cos up to the cosine of a node is its u, by the midpoint rule.
+  TermDescription matte;
+  matte.type = matte.name = "complement";
+  matte.of = {ggx(0.5).terms[0]};
+  const MaterialDescription material(matte);
+  const auto complement = bake::bake(material, "inverse_complement", axes({"u=0:1:9:2"}), {});
+  constexpr int steps = 4000;
+  std::vector<double> below{0};
+  for (int k = 0; k < steps; ++k) {
+    const double cosine = (k + 0.5) / steps;
+    const double loss = 1 - compute_or_throw(Integral::albedo, build(ggx(0.5)), viewer(cosine), 1e-6);
+    below.push_back(below.back() + loss * cosine);
+  }
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double share = complement.table.values[k] * steps;
+    const auto cell = std::min(static_cast<std::size_t>(share), below.size() - 2);
+    const double inside = share - static_cast<double>(cell);
+    const double u = (below[cell] + inside * (below[cell + 1] - below[cell])) / below.back();
+    CHECK(u == doctest::Approx(complement.table.axes[0].at(static_cast<double>(k) / 8)).epsilon(2e-4));
+  }
+}
+
 TEST_CASE("what a table cannot give is an error that says so") {
   const auto refuses = [](const MaterialDescription& material, const char* quantity,
                           std::initializer_list<const char*> over, bake::BakeOptions options = {}) {
@@ -120,10 +163,16 @@ TEST_CASE("what a table cannot give is an error that says so") {
   TermDescription lambert;
   lambert.type = lambert.name = "lambert";
   refuses(lambert, "dfg", {"cos_theta_o=0:1"}); // has no F
+  refuses(lambert, "inverse_normals", {"u=0:1"});
+  refuses(ggx(0.5), "inverse_complement", {"u=0:1"});
+  refuses(ggx(0.5), "inverse_normals", {"alpha=0.1:1"}); // of which share?
+  refuses(ggx(0.5), "inverse_normals", {"u=0:2"});
+  refuses(ggx(0.5), "inverse_normals", {"u=0:1", "cos_theta_o=0:1"});
   MaterialDescription brushed = ggx(0.5);
   brushed.terms[0].distribution.values = {};
   brushed.terms[0].distribution.values.set("alpha_x", 0.1);
   brushed.terms[0].distribution.values.set("alpha_y", 0.5);
   refuses(brushed, "albedo", {"cos_theta_o=0:1"}); // of which azimuth?
+  refuses(brushed, "inverse_normals", {"u=0:1"});
   CHECK_NOTHROW(bake::bake(brushed, "albedo", axes({"cos_theta_o=0.1:1:2", "phi_o=0:90deg:2"}), {}));
 }
