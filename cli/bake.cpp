@@ -6,6 +6,7 @@
 #include "bake/text.hpp"
 #include "base/echo.hpp"
 #include "base/errors.hpp"
+#include "base/hash.hpp"
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 #include "command.hpp"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace brdfplot::cli {
@@ -31,6 +33,7 @@ struct BakeFlags {
   std::string error, tolerance;
   std::string type;
   std::string output;
+  std::optional<std::string> pieces;
   bool json = false;
 };
 
@@ -62,6 +65,16 @@ std::vector<bake::Axis> default_axes(const MaterialDescription& material, const 
   return axes;
 }
 
+/// The digests of the files that a material names.
+std::string digests(const std::vector<TermDescription>& terms) {
+  std::string text;
+  for (const TermDescription& term : terms) {
+    if (term.values.has("file")) text += " " + std::to_string(hash(read_text_file(term.values.text("file"))));
+    text += digests(term.of);
+  }
+  return text;
+}
+
 int run(const BakeFlags& flags, const Settings& settings) {
   require_argument(!flags.material.empty(), "bake", "MATERIAL.json");
   require_argument(!flags.output.empty() || flags.json, "bake", "-o TABLE or --json");
@@ -80,11 +93,22 @@ int run(const BakeFlags& flags, const Settings& settings) {
   std::vector<bake::Axis> axes;
   for (const std::string& text : flags.over) axes.push_back(bake::parse_axis(text, "--over"));
   if (axes.empty()) axes = default_axes(material, flags.quantity);
+  options.team = team_for(settings, flags.pieces, [&] {
+    std::string over;
+    for (const bake::Axis& axis : axes) over += " " + axis.variable;
+    return "bake " + flags.quantity + " over" + over + " tolerance " + format_number(options.tolerance) + " of" +
+           digests(material.terms) + "\n" + config::material_text(material);
+  });
+  if (options.team != nullptr && !options.team->leads()) {
+    bake::help_to_bake(material, flags.quantity, axes, options);
+    return 0;
+  }
   bake::BakedTable table;
   run_tasks({{flags.quantity, [&] { table = bake::bake(material, flags.quantity, axes, options); }}}, settings);
   const double rounding = bake::rounding_of(table.table, stored);
   if (format != nullptr) write_text_file(flags.output, format->bytes(table, stored, flags.output));
   print(flags.json ? config::bake_record(table, rounding) : bake::summary(table, rounding));
+  if (options.team != nullptr) options.team->forget();
   return 0;
 }
 
@@ -128,6 +152,7 @@ Command add_bake(CLI::App& app, const Settings& settings) {
                    "How numbers are stored: float, half (.npy, .ktx2, .exr), double (.npy); default: float")
       ->type_name("TYPE");
   command->add_option("-o,--output", flags->output, output_help())->type_name("TABLE");
+  add_pieces_flag(*command, flags->pieces);
   command->add_flag("--json", flags->json, "The table and its error as JSON on stdout");
   command->footer(footer("brdfplot bake configs/materials/ggx.json -q furnace --error 0.01 -o ggx.npy"));
   return {command, [flags, &settings] { return run(*flags, settings); }};

@@ -11,6 +11,10 @@ class App;
 class Option;
 } // namespace CLI
 
+namespace brdfplot {
+class Team;
+} // namespace brdfplot
+
 namespace brdfplot::cli {
 
 /// The global flags.
@@ -19,6 +23,7 @@ struct Settings {
   bool quiet = false;
   std::string progress = "auto"; ///< auto, always or never
   std::string color = "auto";    ///< auto, always or never
+  Team* team = nullptr;          ///< of the commands whose work ranks share
 };
 
 /// A command: its description and flags in CLI11, and what it does after parsing. Returns the exit code.

@@ -5,10 +5,12 @@
 #include "base/errors.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "base/team.hpp"
 #include "command.hpp"
 #include "last_resort.hpp"
 #include "math/kernels/kernels.hpp"
 #include "models/parameters.hpp"
+#include "start_ranks.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
 #include "version.hpp"
@@ -17,10 +19,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <new>
+#include <string_view>
+#include <thread>
 
 #include <fcntl.h>
+#include <sched.h>
 #include <unistd.h>
 
 namespace {
@@ -110,17 +116,13 @@ int parse_and_run(int argc, char** argv, cli::Settings& settings) {
   throw cli::no_command(app);
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  keep_standard_streams_apart();
-  std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of the write
-  install_interrupt_handler();
-  cli::Settings settings;
-  settings.threads = hardware_threads();
+/// What goes wrong, told, as an exit code.
+template <class Work>
+int exit_code_of(const cli::Settings& settings, const Work& work) {
   try {
-    return parse_and_run(argc, argv, settings);
+    return work();
   } catch (const Interrupted& error) {
+    if (settings.team != nullptr && settings.team->count() > 1) settings.team->leave_interrupted();
     cli::print_error(settings, error.what());
     _exit(error.exit_code()); // work that could not be interrupted may still be running
   } catch (const ClosedPipe&) {
@@ -137,4 +139,63 @@ int main(int argc, char** argv) {
     cli::print_error(settings, std::string("internal: ") + error.what());
     return 2;
   }
+}
+
+/// Whether the command is one whose work ranks share. The others are as many processes as mpirun starts.
+bool is_shared(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](std::string_view word) { return word == "bake" || word == "simulate"; });
+}
+
+/// The threads of each rank, where nothing is said: no more than mpirun lets it have, or its part of the machine.
+int threads_of_a_rank(const Team& team) {
+  cpu_set_t allowed;
+  const int most = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : hardware_threads();
+  return std::clamp(hardware_threads() / team.on_this_machine(), 1, std::max(most, 1));
+}
+
+/// Rank 0 speaks and writes. What the others have to say they say to it, but that rank 0 is dead.
+int run_on_ranks(int argc, char** argv, cli::Settings& settings) {
+  const int told = dup(STDERR_FILENO);
+  if (launched().rank > 0)
+    for (const int fd : {STDOUT_FILENO, STDERR_FILENO})
+      if (const int null = open("/dev/null", O_WRONLY); null >= 0) dup2(null, fd);
+  const auto leave = [&](const Error* error) {
+    if (error != nullptr) {
+      dup2(told, STDERR_FILENO);
+      cli::print_error(settings, error->what());
+    }
+    // mpirun loses what was written by a process that has ended.
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    _exit(error != nullptr ? error->exit_code() : 3);
+  };
+  std::unique_ptr<Team> team;
+  const int code = exit_code_of(settings, [&] {
+    team = std::make_unique<Team>(cli::start_ranks(), leave);
+    settings.team = team.get();
+    settings.threads = threads_of_a_rank(*team);
+    if (team->leads()) return parse_and_run(argc, argv, settings);
+    try {
+      return parse_and_run(argc, argv, settings);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (...) {
+      team->report(Failure::current());
+      return 0;
+    }
+  });
+  if (team == nullptr || team->count() == 1) return code;
+  team->end();
+  _exit(team->leads() ? code : 0); // work that was broken off may still be running
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  keep_standard_streams_apart();
+  std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of the write
+  install_interrupt_handler();
+  cli::Settings settings;
+  settings.threads = hardware_threads();
+  if (is_shared(argc, argv)) return run_on_ranks(argc, argv, settings);
+  return exit_code_of(settings, [&] { return parse_and_run(argc, argv, settings); });
 }

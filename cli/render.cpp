@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "terminal.hpp"
+#include "version.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -56,6 +57,22 @@ void add_cache_flag(CLI::App& command, std::string& folder) {
                   "Folder that keeps simulated results for the next time; \"\": none; default: brdfplot in "
                   "$XDG_CACHE_HOME or ~/.cache")
       ->type_name("DIR");
+}
+
+void add_pieces_flag(CLI::App& command, std::optional<std::string>& folder) {
+  command
+      .add_option("--cache", folder,
+                  "Folder that keeps what a run has finished that does not end, for the next one; \"\": none; default: "
+                  "under mpirun brdfplot in $XDG_CACHE_HOME or ~/.cache, else none")
+      ->type_name("DIR");
+}
+
+Team* team_for(const Settings& settings, const std::optional<std::string>& folder,
+               const std::function<std::string()>& key) {
+  const std::string pieces = folder.value_or(launched().by_mpirun ? simulation::default_store_folder() : "");
+  if (settings.team->count() == 1 && pieces.empty()) return nullptr;
+  settings.team->begin("brdfplot " + std::string(version) + " " + key(), pieces, settings.threads);
+  return settings.team;
 }
 
 double timed(const std::function<void()>& work) {

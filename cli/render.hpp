@@ -2,9 +2,12 @@
 /// Work of several threads with progress, and figures as they are written.
 #pragma once
 
+#include "base/team.hpp"
 #include "command.hpp"
 #include "draw/layout.hpp"
 #include "figure/description.hpp"
+
+#include <optional>
 
 namespace brdfplot::cli {
 
@@ -37,6 +40,14 @@ void append_simulations(const std::vector<const plot::FigureDescription*>& figur
 
 /// The flag --cache of commands that simulate, set to its default.
 void add_cache_flag(CLI::App& command, std::string& folder);
+
+/// The flag --cache of commands whose work ranks share.
+void add_pieces_flag(CLI::App& command, std::optional<std::string>& folder);
+
+/// The team, which has begun, where the work is shared or kept; none where this process does it all. `key`, beside the
+/// version, defines all numbers.
+Team* team_for(const Settings& settings, const std::optional<std::string>& folder,
+               const std::function<std::string()>& key);
 
 /// Seconds that `work` takes.
 double timed(const std::function<void()>& work);

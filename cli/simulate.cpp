@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "config/load.hpp"
 #include "render.hpp"
+#include "simulation/store.hpp"
 #include "simulation_tables.hpp"
 #include "terminal.hpp"
 
@@ -16,6 +17,7 @@
 
 #include <iomanip>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace brdfplot::cli {
@@ -25,6 +27,7 @@ namespace {
 struct SimulateFlags {
   std::string scene;
   std::string output;
+  std::optional<std::string> pieces;
 };
 
 /// Rays and seconds of processor time as a rate of all threads together.
@@ -41,14 +44,13 @@ std::string summary(const simulation::TraceCounts& counts, int threads) {
          ", lost paths: " + std::to_string(counts.lost);
 }
 
-simulation::SimulationResult trace(const simulation::SceneDescription& scene, const Settings& settings) {
+simulation::SimulationResult trace(const simulation::SceneDescription& scene, simulation::SimulationOptions options,
+                                   const Settings& settings) {
   Progress progress(settings);
-  simulation::SimulationOptions options;
-  options.threads = settings.threads;
   options.keep_partial = true;
   options.progress = [&](const simulation::Progress& now) { progress.set(now.done, now.total, now.what); };
   auto result = simulation::simulate(scene, options);
-  progress.note(summary(result.counts, settings.threads));
+  progress.note(summary(result.counts, options.team == nullptr ? options.threads : options.team->threads()));
   return result;
 }
 
@@ -67,8 +69,17 @@ void write(const simulation::SimulationResult& result, const std::string& folder
 int run(const SimulateFlags& flags, const Settings& settings) {
   require_argument(!flags.scene.empty(), "simulate", "SCENE.json");
   const auto scene = config::load_scene(flags.scene);
+  simulation::SimulationOptions options;
+  options.threads = settings.threads;
+  options.team = team_for(settings, flags.pieces, [&] {
+    return "simulate " + std::to_string(simulation::results_version) + "\n" + simulation::canonical_text(scene);
+  });
+  if (options.team != nullptr && !options.team->leads()) {
+    simulation::help_to_simulate(scene, options);
+    return 0;
+  }
   if (!flags.output.empty()) create_folders(flags.output);
-  const auto result = trace(scene, settings);
+  const auto result = trace(scene, options, settings);
   const bool stopped = result.traced < 1;
   if (stopped && result.traced == 0) throw Interrupted();
   // Ctrl-C has done what it is for; a second one stops the writing.
@@ -82,6 +93,7 @@ int run(const SimulateFlags& flags, const Settings& settings) {
     write(result, flags.output);
   }
   if (stopped) throw Interrupted();
+  if (options.team != nullptr) options.team->forget();
   return 0;
 }
 
@@ -97,6 +109,7 @@ Command add_simulate(CLI::App& app, const Settings& settings) {
                    "Folder of ID.csv and ID.md; without it tables go to stdout. After Ctrl-C what was traced so far is "
                    "written, as ID.partial.csv and ID.partial.md")
       ->type_name("DIR");
+  add_pieces_flag(*command, flags->pieces);
   command->footer(footer("brdfplot simulate configs/scenes/v_cavity.json"));
   return {command, [flags, &settings] { return run(*flags, settings); }};
 }

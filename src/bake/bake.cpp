@@ -20,11 +20,37 @@ constexpr double beyond_half_way = 1.5;
 
 using Place = std::vector<std::uint32_t>;
 
+/// A quantity at points, on the threads of this process or on those of all ranks.
+class Points {
+public:
+  Points(const Baked& baked, const BakeOptions& options)
+      : baked_(baked), team_(options.team),
+        compute_([&baked, threads = options.threads](const auto& points, const Done& done) {
+          parallel_for(points.size(), threads, [&](std::size_t k) { done(k, baked.at(points[k])); });
+        }) {}
+
+  const std::vector<std::string>& channels() const { return baked_.channels(); }
+  std::vector<Numbers> at(const std::vector<Numbers>& points) const {
+    std::vector<Numbers> computed(points.size());
+    const auto take = [&](std::size_t k, Numbers values) { computed[k] = std::move(values); };
+    if (team_ == nullptr)
+      compute_(points, take);
+    else if (!points.empty())
+      team_->map(points, points.size(), compute_, take);
+    return computed;
+  }
+  void help() const { team_->serve(compute_); }
+
+private:
+  const Baked& baked_;
+  Team* team_;
+  Compute compute_;
+};
+
 /// A grid that grows: what was computed once is kept.
 class Grid {
 public:
-  Grid(const Baked& baked, std::vector<Axis> axes, int threads)
-      : baked_(baked), axes_(std::move(axes)), threads_(threads) {
+  Grid(const Points& points, std::vector<Axis> axes) : points_(points), axes_(std::move(axes)) {
     for (const Axis& axis : axes_) step_.push_back(steps_per_interval), first_.push_back(axis.nodes);
   }
 
@@ -36,7 +62,7 @@ public:
   }
 
   Table table(const std::string& material, const std::string& quantity) {
-    Table table{material, quantity, axes_, baked_.channels(), {}};
+    Table table{material, quantity, axes_, points_.channels(), {}};
     const std::vector<Place> places = nodes();
     compute(places);
     for (const Place& place : places) {
@@ -65,7 +91,7 @@ public:
       Place low = place, high = place;
       low[axis] -= step_[axis] / 2;
       high[axis] += step_[axis] / 2;
-      for (std::size_t c = 0; c < baked_.channels().size(); ++c) {
+      for (std::size_t c = 0; c < points_.channels().size(); ++c) {
         const double between = (known_.at(low)[c] + known_.at(high)[c]) / 2;
         const double error = std::fabs(between - known_.at(place)[c]);
         if (error > off.error || off.where.empty()) off = {error, values_at(place)};
@@ -105,14 +131,14 @@ private:
     if (known_.size() + missing.size() > most_points)
       throw InputError("bake", "the table takes more than " + std::to_string(most_points) +
                                    " points; accepted: fewer nodes, or a larger --error");
-    std::vector<std::vector<double>> computed(missing.size());
-    parallel_for(missing.size(), threads_, [&](std::size_t k) { computed[k] = baked_.at(values_at(missing[k])); });
+    std::vector<Numbers> values;
+    for (const Place& place : missing) values.push_back(values_at(place));
+    std::vector<Numbers> computed = points_.at(values);
     for (std::size_t k = 0; k < missing.size(); ++k) known_.emplace(std::move(missing[k]), std::move(computed[k]));
   }
 
-  const Baked& baked_;
+  const Points& points_;
   std::vector<Axis> axes_;
-  int threads_;
   std::vector<std::uint32_t> step_; ///< between nodes
   std::vector<std::size_t> first_;  ///< how many nodes there were at first
   std::map<Place, std::vector<double>> known_;
@@ -143,7 +169,7 @@ Errors errors_of(Grid& grid) {
 constexpr std::size_t first_nodes = 9;
 
 /// The power whose interpolation along the axis is off least, all axes with few nodes.
-int best_power(const Baked& baked, const std::vector<Axis>& axes, std::size_t axis, int threads) {
+int best_power(const Points& points, const std::vector<Axis>& axes, std::size_t axis) {
   std::vector<Axis> coarse = axes;
   for (Axis& one : coarse) one.nodes = first_nodes, one.power = std::max(one.power, 1);
   int best = 1;
@@ -153,20 +179,26 @@ int best_power(const Baked& baked, const std::vector<Axis>& axes, std::size_t ax
       axes[axis].variable == share_axis ? std::vector{1, 2, 3, 4, 6, 8} : std::vector{1, 2, 3};
   for (const int power : powers) {
     coarse[axis].power = power;
-    const double error = Grid(baked, coarse, threads).off_along(axis).error;
+    const double error = Grid(points, coarse).off_along(axis).error;
     if (error < least) best = power, least = error;
   }
   return best;
 }
 
-void choose_nodes(const Baked& baked, std::vector<Axis>& axes, const BakeOptions& options) {
+void choose_nodes(const Points& points, std::vector<Axis>& axes, const BakeOptions& options) {
   for (std::size_t k = 0; k < axes.size(); ++k)
-    if (axes[k].power == 0) axes[k].power = options.error ? best_power(baked, axes, k, options.threads) : 1;
+    if (axes[k].power == 0) axes[k].power = options.error ? best_power(points, axes, k) : 1;
   for (Axis& axis : axes)
     if (axis.nodes == 0) axis.nodes = options.error ? first_nodes : 32;
 }
 
 } // namespace
+
+void help_to_bake(const MaterialDescription& material, const std::string& quantity, const std::vector<Axis>& axes,
+                  const BakeOptions& options) {
+  const Baked baked(material, quantity, axes, options.tolerance);
+  Points(baked, options).help();
+}
 
 BakedTable bake(const MaterialDescription& material, const std::string& quantity, std::vector<Axis> axes,
                 const BakeOptions& options) {
@@ -175,8 +207,9 @@ BakedTable bake(const MaterialDescription& material, const std::string& quantity
     throw InputError("--error", "found " + format_number(*options.error) +
                                     ", accepted: a number above the tolerance, " + format_number(options.tolerance));
   const Baked baked(material, quantity, axes, options.tolerance);
-  choose_nodes(baked, axes, options);
-  Grid grid(baked, axes, options.threads);
+  const Points points(baked, options);
+  choose_nodes(points, axes, options);
+  Grid grid(points, axes);
   Errors errors = errors_of(grid);
   while (options.error && errors.bound(options.tolerance) > *options.error) {
     const std::size_t worst = errors.largest();

@@ -4,6 +4,7 @@
 
 #include "bake/quantity.hpp"
 #include "bake/table.hpp"
+#include "base/team.hpp"
 
 #include <optional>
 
@@ -14,6 +15,7 @@ struct BakeOptions {
   std::optional<double> error{};
   double tolerance = 1e-6; ///< of each value
   int threads = 1;
+  Team* team = nullptr; ///< that has begun; none: this process computes all
 };
 
 /// The most points at which a quantity is taken, a quarter of an hour of the slower ones.
@@ -25,5 +27,9 @@ inline constexpr std::size_t most_points = 1'000'000;
 /// below the tolerance
 BakedTable bake(const MaterialDescription& material, const std::string& quantity, std::vector<Axis> axes,
                 const BakeOptions& options);
+
+/// What every rank but 0 does while that bakes.
+void help_to_bake(const MaterialDescription& material, const std::string& quantity, const std::vector<Axis>& axes,
+                  const BakeOptions& options);
 
 } // namespace brdfplot::bake

@@ -1,6 +1,7 @@
 #include "simulation/scene.hpp"
 
 #include "base/echo.hpp"
+#include "base/hash.hpp"
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 #include "models/registry.hpp"
@@ -43,13 +44,6 @@ void check_measure(const MeasureDescription& measure, const std::string& pointer
   check_angles(measure.delta_phi, turn, pointer + "/delta_phi");
   if (std::ranges::find(spec.keys, "delta_phi") != spec.keys.end() && measure.delta_phi.empty())
     throw SceneError(pointer, "\"delta_phi\" is missing: azimuths between omega_o and omega_i; accepted: angles");
-}
-
-/// 64 bits of FNV-1a.
-std::uint64_t digest(const std::string& bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  return hash;
 }
 
 std::string text_of(const Value& value) {
@@ -110,7 +104,7 @@ std::string canonical_text(const SceneDescription& scene) {
   const Values values = completed(scene.surface);
   for (const auto& [key, value] : values.map()) {
     if (key == "file") // another path to the same heights gives the same results
-      text += " digest=" + std::to_string(digest(read_text_file(std::get<std::string>(value))));
+      text += " digest=" + std::to_string(hash(read_text_file(std::get<std::string>(value))));
     else
       text += " " + key + "=" + text_of(value);
   }

@@ -2,6 +2,7 @@
 /// Runs a scene: surfaces are made, rays traced, and tables filled.
 #pragma once
 
+#include "base/team.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/tracer.hpp"
 
@@ -37,6 +38,8 @@ struct SimulationOptions {
   std::function<void(const Progress&)> progress;
   /// After Ctrl-C: true returns what has been traced so far, false throws Interrupted.
   bool keep_partial = false;
+  /// That has begun; none: this process traces all. With one, Ctrl-C throws Interrupted: the team keeps what is done.
+  Team* team = nullptr;
 };
 
 struct SimulationResult {
@@ -48,5 +51,8 @@ struct SimulationResult {
 
 /// The same result, to the last bit, for any number of threads. \throws SceneError, FileError, Interrupted
 SimulationResult simulate(const SceneDescription& scene, const SimulationOptions& options);
+
+/// What every rank but 0 does while that simulates.
+void help_to_simulate(const SceneDescription& scene, const SimulationOptions& options);
 
 } // namespace brdfplot::simulation

@@ -1,6 +1,7 @@
 #include "simulation/store.hpp"
 
 #include "base/errors.hpp"
+#include "base/hash.hpp"
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 
@@ -14,14 +15,6 @@
 namespace brdfplot::simulation {
 
 namespace {
-
-/// FNV-1a (Fowler, Noll, Vo), 64 bits.
-std::uint64_t hash(std::string_view text, std::uint64_t state) {
-  for (const char c : text) state = (state ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return state;
-}
-
-constexpr std::uint64_t offset_basis = 0xcbf29ce484222325;
 
 std::string hexadecimal(std::uint64_t value) {
   std::array<char, 16> digits{};
@@ -70,7 +63,7 @@ std::string to_text(const std::string& key, const Result& result) {
       text += '\n';
     }
   }
-  return text + hexadecimal(hash(text, offset_basis)) + "\n";
+  return text + hexadecimal(hash(text)) + "\n";
 }
 
 std::optional<Result> from_text(const std::string& key, const std::string& text) {
@@ -78,7 +71,7 @@ std::optional<Result> from_text(const std::string& key, const std::string& text)
   const std::string start = head(key);
   if (text.size() < start.size() + tail || !text.starts_with(start)) return std::nullopt;
   const std::string_view body(text.data(), text.size() - tail);
-  if (text.substr(text.size() - tail) != hexadecimal(hash(body, offset_basis)) + "\n") return std::nullopt;
+  if (text.substr(text.size() - tail) != hexadecimal(hash(body)) + "\n") return std::nullopt;
   Result result;
   for (Words words(body.substr(start.size())); !words.done();) {
     Estimates& estimates = result[std::string(words.next())];
@@ -92,7 +85,7 @@ std::optional<Result> from_text(const std::string& key, const std::string& text)
 }
 
 std::string Store::path(const std::string& key) const {
-  const std::string name = hexadecimal(hash(key, offset_basis)) + hexadecimal(hash(key, ~offset_basis));
+  const std::string name = hexadecimal(hash(key)) + hexadecimal(hash(key, ~hash_basis));
   return (std::filesystem::path(folder_) / ("v" + std::to_string(results_version)) / name).string();
 }
 

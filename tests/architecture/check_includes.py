@@ -18,7 +18,7 @@ KNOWS_ONLY = {"draw": {"base", "draw"}}
 GENERATED = {"version.hpp", "config_directories.hpp"}
 # A third-party header: who may include it. None stands for every source file, but no header.
 THIRD_PARTY = {"CLI": {"cli"}, "nlohmann": {"config"}, "Eigen": None, "boost": None, "muParser.h": None,
-               "embree3": None, "embree4": None, "tbb": None, "fftw3.h": None, "png.h": None}
+               "embree3": None, "embree4": None, "tbb": None, "fftw3.h": None, "png.h": None, "mpi.h": {"cli"}}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]')
 
 
