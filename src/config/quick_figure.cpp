@@ -7,10 +7,10 @@
 #include "base/split.hpp"
 #include "brdf/quantity.hpp"
 #include "config/figure_labels.hpp"
-#include "config/json_file.hpp"
-#include "config/shapes.hpp"
 #include "figure/series/channel.hpp"
 #include "models/parameters.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -57,6 +57,9 @@ Drawn drawn(const std::string& quantity) {
   }
   throw InputError("-q", unknown_name("quantity", quantity, names));
 }
+
+/// "ρ" of "ρ (1/sr)", for titles.
+std::string without_unit(const std::string& label) { return label.substr(0, label.find(" (")); }
 
 /// Where lobes and curves begin and end.
 std::pair<std::string, std::string> range_of(const std::string& variable, bool lobe) {
@@ -142,7 +145,7 @@ public:
     for (const NamedMaterial& material : materials_) names += (names.empty() ? "" : ", ") + material.name;
     out["id"] = id();
     out["kind"] = kind_of(drawn_.front());
-    out["title"] = drawn_.size() == 1 ? drawn_[0].label + ": " + names : names;
+    out["title"] = drawn_.size() == 1 ? without_unit(drawn_[0].label) + ": " + names : names;
     out["caption"] = "Drawn by brdfplot plot.";
     if (drawn_.size() > 1) out["columns"] = 2;
     for (const NamedMaterial& material : materials_) out["materials"][material.name] = material.json;
@@ -192,7 +195,7 @@ private:
 
   Ordered panel(const Drawn& one) const {
     Ordered out;
-    if (drawn_.size() > 1) out["title"] = one.label;
+    if (drawn_.size() > 1) out["title"] = without_unit(one.label);
     if (kind_of(one) != kind_of(drawn_.front())) out["kind"] = kind_of(one);
     out["x"] = swept(one);
     out["y"] = {{"label", one.label}};

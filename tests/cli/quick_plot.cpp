@@ -123,7 +123,7 @@ TEST_CASE("several quantities are panels, each of its own kind") {
       if (row[0] == panel) out.push_back(row[2] + row[3] + " " + row[4]);
     return out;
   };
-  for (const auto& [panel, file] : {std::pair{"G_1", "g1.csv"}, {"ρ (1/sr)", "brdf.csv"}}) {
+  for (const auto& [panel, file] : {std::pair{"G_1", "g1.csv"}, {"ρ", "brdf.csv"}}) {
     std::vector<std::string> alone;
     for (const auto& row : cells(folder.read(file)))
       if (row[0] != "panel") alone.push_back(row[2] + " " + row[3]);

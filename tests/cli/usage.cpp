@@ -226,6 +226,6 @@ TEST_CASE("degrees without their unit are computed as radians, with a warning") 
         check_output(folder, "printf 'theta_o\n60deg\n' | " + eval + " | tail -n 1 | cut -d, -f2"));
   const Outcome figure = run(folder, "brdfplot plot configs/materials/ggx.json -q brdf --at theta_o=45 -o a.svg");
   CHECK(figure.code == 0);
-  CHECK(figure.err.find("warning: plot: /at/theta_o: theta_o = 45 rad is more than a full circle; 45deg?") !=
+  CHECK(figure.err.find("warning: plot: /panels/0/at/theta_o: theta_o = 45 rad is more than a full circle; 45deg?") !=
         std::string::npos);
 }

@@ -92,7 +92,7 @@ TEST_CASE("the page holds each thing once: drawings without their style, data de
   const auto html = to_html(small);
   CHECK(count(html, ".bp-halo{") == 1);
   CHECK(count(html, "<style") == 2); // of the page and of the drawings
-  CHECK(count(html, "<script class=\"csv\" type=\"text/plain\">eJ") == 2);
+  CHECK(count(html, "<script class=\"csv\" type=\"text/plain\">eN") == 2);
   for (const char* kind : {"svg", "csv", "json"}) {
     const std::string name(kind);
     CHECK(count(html, "<a data-file=\"" + name + "\" download href=\"figures/a." + name + "\">") == 2);
