@@ -164,8 +164,8 @@ int run_on_ranks(int argc, char** argv, cli::Settings& settings) {
       dup2(told, STDERR_FILENO);
       cli::print_error(settings, error->what());
     }
-    // mpirun loses what was written by a process that has ended.
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    // mpirun loses what was written when a process ends at once; those who say nothing wait for it to end them.
+    std::this_thread::sleep_for(std::chrono::milliseconds(error != nullptr ? 300 : 2000));
     _exit(error != nullptr ? error->exit_code() : 3);
   };
   std::unique_ptr<Team> team;

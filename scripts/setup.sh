@@ -9,7 +9,7 @@ step() { printf '==> %s\n' "$*"; }
 build_packages=(g++ cmake ninja-build libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-dev libmuparser-dev
   libembree-dev libtbb-dev libfftw3-dev libpng-dev zlib1g-dev doctest-dev python3)
 test_packages=(glslang-tools libxml2-utils librsvg2-bin chromium python3-jsonschema python3-mpmath
-  pybind11-dev python3-dev python3-numpy python3-pytest)
+  pybind11-dev python3-dev python3-numpy python3-pytest libopenmpi-dev openmpi-bin)
 style_packages=(clang-format clang-tidy)
 # The sanitizers' build, with libFuzzer.
 sanitizer_packages=(clang libclang-rt-14-dev)

@@ -90,18 +90,21 @@ std::string KeptPieces::path(const std::string& folder, const std::string& key) 
 KeptPieces::KeptPieces(const std::string& folder, const std::string& key) {
   if (folder.empty()) return;
   path_ = path(folder, key);
+  head_ = head_of(key);
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path_, error)) open_file();
+}
+
+void KeptPieces::open_file() {
   try {
     create_folders(std::filesystem::path(path_).parent_path().string());
     fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (fd_ < 0) return;
-    if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-      give_up();
-      return;
-    }
-    const std::string bytes = read_text_file(path_), head = head_of(key);
-    const bool is_ours = bytes.starts_with(head);
-    const std::size_t whole = is_ours ? read_records(bytes, head.size(), found_) : 0;
-    if (ftruncate(fd_, static_cast<off_t>(whole)) != 0 || (!is_ours && !write_all(fd_, head))) give_up();
+    if (fd_ < 0) return give_up();
+    if (flock(fd_, LOCK_EX | LOCK_NB) != 0) return give_up();
+    const std::string bytes = read_text_file(path_);
+    const bool is_ours = bytes.starts_with(head_);
+    const std::size_t whole = is_ours ? read_records(bytes, head_.size(), found_) : 0;
+    if (ftruncate(fd_, static_cast<off_t>(whole)) != 0 || (!is_ours && !write_all(fd_, head_))) give_up();
   } catch (const FileError&) {
     give_up();
   }
@@ -111,6 +114,7 @@ KeptPieces::~KeptPieces() { give_up(); }
 
 void KeptPieces::swap(KeptPieces& other) noexcept {
   std::swap(path_, other.path_);
+  std::swap(head_, other.head_);
   std::swap(fd_, other.fd_);
   std::swap(found_, other.found_);
 }
@@ -118,6 +122,7 @@ void KeptPieces::swap(KeptPieces& other) noexcept {
 void KeptPieces::give_up() {
   if (fd_ >= 0) close(fd_);
   fd_ = -1;
+  path_.clear();
 }
 
 const Numbers* KeptPieces::find(const Numbers& piece) const {
@@ -126,6 +131,8 @@ const Numbers* KeptPieces::find(const Numbers& piece) const {
 }
 
 void KeptPieces::add(const Numbers& piece, const Numbers& result) {
+  if (path_.empty()) return;
+  if (fd_ < 0) open_file();
   if (fd_ >= 0 && !write_all(fd_, record_of(piece, result))) give_up();
 }
 

@@ -16,7 +16,8 @@ using Numbers = std::vector<double>;
 class KeptPieces {
 public:
   KeptPieces() = default;
-  /// Those of `key`, a text that defines all numbers, in a folder that is made. Empty folder: nothing is kept.
+  /// Those of `key`, a text that defines all numbers, in a folder that is made with the first piece. Empty folder:
+  /// nothing is kept.
   KeptPieces(const std::string& folder, const std::string& key);
   ~KeptPieces();
   KeptPieces(const KeptPieces&) = delete;
@@ -27,7 +28,7 @@ public:
     return *this;
   }
 
-  /// Whether pieces are kept.
+  /// Whether there are pieces that are kept.
   explicit operator bool() const { return fd_ >= 0; }
   const Numbers* find(const Numbers& piece) const;
   void add(const Numbers& piece, const Numbers& result);
@@ -38,9 +39,11 @@ public:
 
 private:
   void swap(KeptPieces& other) noexcept;
+  void open_file();
   void give_up();
 
-  std::string path_;
+  std::string path_; ///< empty: nothing is kept
+  std::string head_; ///< of the file
   int fd_ = -1;
   std::map<Numbers, Numbers> found_; ///< of the runs before
 };

@@ -26,7 +26,7 @@ constexpr char ready = 'r', report = 'e', work = 'w', events = 'd', over = 's', 
 /// How often the main thread looks for messages while there is nothing to do.
 constexpr auto patience = 1ms;
 /// mpirun kills a second after SIGTERM.
-constexpr auto to_answer = 500ms;
+constexpr auto to_answer = 300ms;
 /// A message longer than this is sent before more is added.
 constexpr std::size_t long_message = std::size_t{1} << 20;
 
@@ -227,9 +227,8 @@ void Team::handle(const Ranks::Message& message, Distribution* distribution) {
   switch (message.bytes[0]) {
   case kind::ready: {
     mate.threads = reader.number<int>();
-    mate.ready = true;
-    if (reader.number<std::uint64_t>() != digest_ && !reported_)
-      reported_ = {message.from, Failure{2, "its input is not that of rank 0"}};
+    mate.ready = reader.number<std::uint64_t>() == digest_;
+    if (!mate.ready && !reported_) reported_ = {message.from, Failure{2, "its input is not that of rank 0"}};
     return;
   }
   case kind::report: {
@@ -260,7 +259,8 @@ void Team::receive(Distribution* distribution) {
   while (const auto message = ranks_->receive()) handle(*message, distribution);
   if (count() == 1) return throw_if_interrupted();
   if (interrupted() || std::ranges::any_of(mates_, &Mate::leaving)) leave_interrupted();
-  if (!reported_) return;
+  // Before it was ready, or at work. Between these rank 0 does the same, and tells what is wrong for all.
+  if (!reported_ || (distribution == nullptr && mates_[static_cast<std::size_t>(reported_->first)].ready)) return;
   const auto [rank, failure] = *reported_;
   if (failure.code < 0) failure.raise();
   throw Error(failure.code, name_of(rank), failure.text);

@@ -285,25 +285,29 @@ private:
           held_ = make(surface_, scene_.seed, realisation);
           held_number_ = realisation;
         }
-        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
-          throw_if_interrupted();
-          Numbers numbers = piece_of(realisation, static_cast<std::size_t>(pieces[k][1]));
-          throw_if_interrupted();
-          done(k, std::move(numbers));
+        std::size_t first = 0;
+        // By itself: it is parallel, and may throw, which oneTBB does not survive in a loop within a loop.
+        if (pieces[0][1] == 0) done(first++, statistics_piece(realisation));
+        tbb::parallel_for(first, pieces.size(), [&](std::size_t k) {
+          if (interrupted()) return;
+          Numbers numbers = share_piece(realisation, static_cast<std::size_t>(pieces[k][1]) - 1);
+          if (!interrupted()) done(k, std::move(numbers));
         });
+        throw_if_interrupted();
       });
     };
   }
 
-  /// The number of tiles and the row of statistics; or of each tile of a share the sums of every task, one half after
-  /// the other, and the counts of the share.
-  Numbers piece_of(std::uint64_t realisation, std::size_t piece) const {
-    if (piece == 0) {
-      Numbers numbers = statistics(realisation, *held_);
-      numbers.insert(numbers.begin(), static_cast<double>(held_->tiles.size()));
-      return numbers;
-    }
-    const auto [first, end] = tiles_of(piece - 1, held_->tiles.size());
+  /// The number of tiles and the row of statistics.
+  Numbers statistics_piece(std::uint64_t realisation) const {
+    Numbers numbers = statistics(realisation, *held_);
+    numbers.insert(numbers.begin(), static_cast<double>(held_->tiles.size()));
+    return numbers;
+  }
+
+  /// Of each tile of a share the sums of every task, one half after the other; then the counts of the share.
+  Numbers share_piece(std::uint64_t realisation, std::size_t share) const {
+    const auto [first, end] = tiles_of(share, held_->tiles.size());
     Numbers numbers((end - first) * numbers_a_tile(), 0.0);
     TraceCounts counts;
     std::span<double> left(numbers);
@@ -315,7 +319,7 @@ private:
     return numbers;
   }
 
-  /// What piece_of() gives, in the order of the pieces.
+  /// What the pieces are, in their order.
   void take(std::size_t piece, std::span<const double> numbers) {
     if (piece == 0) {
       tiles_ = static_cast<std::size_t>(numbers[0]);
