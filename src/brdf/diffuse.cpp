@@ -92,7 +92,7 @@ void write_light_on_facets(const std::vector<Direction>& normals, std::vector<do
   }();
   // In loops over few facets without a branch, so that the compiler takes several at a time.
   constexpr std::size_t capacity = 64;
-  std::array<double, capacity> mx, my, mz, tx, ty, tz, sum;
+  std::array<double, capacity> mx, my, mz, tx, ty, tz, bx, by, bz, sum;
   out.resize(normals.size());
   for (std::size_t first = 0; first < normals.size(); first += capacity) {
     const std::size_t n = std::min(capacity, normals.size() - first);
@@ -110,15 +110,16 @@ void write_light_on_facets(const std::vector<Direction>& normals, std::vector<do
       tx[k] = scale * across_x;
       ty[k] = scale * across_y;
       tz[k] = scale * across_z;
+      bx[k] = my[k] * tz[k] - mz[k] * ty[k];
+      by[k] = mz[k] * tx[k] - mx[k] * tz[k];
+      bz[k] = mx[k] * ty[k] - my[k] * tx[k];
       sum[k] = 0;
     }
     for (const Direction& node : rule)
       for (std::size_t k = 0; k < n; ++k) {
-        const double bx = my[k] * tz[k] - mz[k] * ty[k], by = mz[k] * tx[k] - mx[k] * tz[k],
-                     bz = mx[k] * ty[k] - my[k] * tx[k];
-        const double x = node.z * mx[k] + node.x * tx[k] + node.y * bx;
-        const double y = node.z * my[k] + node.x * ty[k] + node.y * by;
-        const double z = node.z * mz[k] + node.x * tz[k] + node.y * bz;
+        const double x = node.z * mx[k] + node.x * tx[k] + node.y * bx[k];
+        const double y = node.z * my[k] + node.x * ty[k] + node.y * by[k];
+        const double z = node.z * mz[k] + node.x * tz[k] + node.y * bz[k];
         const double facing = x * mx[k] + y * my[k] + z * mz[k];
         sum[k] += std::max(0.0, facing) * (0.5 * 0.5 * std::numbers::pi);
       }

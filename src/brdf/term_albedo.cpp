@@ -4,6 +4,7 @@
 #include "brdf/material.hpp"
 #include "brdf/reflected_light.hpp"
 #include "microfacet/remembered.hpp"
+#include "models/model_text.hpp"
 
 #include <cmath>
 #include <mutex>
@@ -54,36 +55,10 @@ AlbedoTable table_of(const WeightedTerm& term, const std::string& own_name) {
   return table;
 }
 
-std::string key_of(const ModelChoice& choice);
-
-/// A value as a text that no other has.
-std::string key_of(const Value& value) {
-  const auto joined = [](const auto& numbers) {
-    std::string text = "[";
-    for (const double number : numbers) text += format_number(number) + ",";
-    return text + "]";
-  };
-  if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
-  if (const auto* text = std::get_if<std::string>(&value)) return '"' + *text + '"';
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* pair = std::get_if<Vec2>(&value)) return joined(*pair);
-  if (const auto* rgb = std::get_if<Rgb>(&value)) return joined(*rgb);
-  std::string text;
-  for (const auto& part : std::get<WeightedChoices>(value)) text += format_number(part.weight) + key_of(part.model);
-  return text;
-}
-
-std::string key_of(const Values& values) {
-  std::string text = "{";
-  for (const auto& [key, value] : values.map()) text += key + ":" + key_of(value) + ";";
-  return text + "}";
-}
-
-std::string key_of(const ModelChoice& choice) { return choice.type + key_of(choice.values); }
-
+/// What the albedo depends on: all but the name.
 std::string key_of(const TermDescription& d) {
-  return d.type + key_of(d.weight) + key_of(d.distribution) + key_of(d.masking) +
-         (d.shadowing ? key_of(*d.shadowing) : "") + key_of(d.fresnel) + key_of(d.values);
+  return d.type + " " + text_of_value(d.weight) + " " + text_of_model(d.distribution) + text_of_model(d.masking) +
+         (d.shadowing ? text_of_model(*d.shadowing) : "") + text_of_model(d.fresnel) + text_of_model({"", d.values});
 }
 
 } // namespace

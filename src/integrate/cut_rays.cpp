@@ -38,12 +38,17 @@ const CutRays::Ends& CutRays::at(double psi) {
 }
 
 void CutRays::evaluate_switch(const NormalIntegrand& of, std::span<const double> z) {
-  normals_.clear();
-  for (const double at : z) {
-    const double r = spread * at / (1 - at);
-    normals_.push_back(frame_.normal(r * cos_psi_, r * sin_psi_));
+  const std::size_t n = z.size();
+  u1_.resize(n);
+  u2_.resize(n);
+  normals_.resize(n);
+  values_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double r = spread * z[k] / (1 - z[k]);
+    u1_[k] = r * cos_psi_;
+    u2_[k] = r * sin_psi_;
   }
-  values_.resize(z.size());
+  frame_.normals(u1_.data(), u2_.data(), normals_.data(), n);
   of(normals_, values_);
 }
 
@@ -51,10 +56,16 @@ void CutRays::add_sign_changes(std::size_t which, Ends& ends) {
   const NormalIntegrand& of = switches_[which].value;
   constexpr int probes = 24;
   const double begin = ends[0].z, length = ends[1].z - begin;
+  static const auto cosines = [] {
+    std::array<double, probes> all{};
+    for (int k = 0; k < probes; ++k) all[static_cast<std::size_t>(k)] = std::cos(std::numbers::pi * k / probes);
+    return all;
+  }();
   std::vector<double> z;
+  z.reserve(2 * probes);
   for (const double share : {1e-9, 1e-6, 1e-4})
     z.push_back(begin + share * length); // crossings may leave by the centre
-  for (int k = 1; k < probes; ++k) z.push_back(begin + length * (1 - std::cos(std::numbers::pi * k / probes)) / 2);
+  for (std::size_t k = 1; k < probes; ++k) z.push_back(begin + length * (1 - cosines[k]) / 2);
   z.push_back(begin + length * (1 - 1e-5)); // and by the horizon
   evaluate_switch(of, z);
   std::vector<double> values = values_;

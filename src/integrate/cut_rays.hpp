@@ -51,6 +51,7 @@ private:
   Reach reach_;
   std::unordered_map<double, Ends> rays_; ///< by psi
   double cos_psi_ = 1, sin_psi_ = 0;      ///< of the ray that is being cut
+  std::vector<double> u1_, u2_;
   std::vector<Direction> normals_;
   std::vector<double> values_;
 };

@@ -39,6 +39,7 @@ TEST_CASE("the help of a command says what it cannot do without") {
   const Folder folder;
   // "plot: needs FIGURE.json, or ..." and "eval: needs MATERIAL.json": the usage names it too.
   for (const auto& command : commands) {
+    if (command == "pareto") continue; // needs nothing, and would measure every problem
     const Outcome bare = run(folder, "brdfplot " + command + " < /dev/null");
     const auto at = bare.err.find(command + ": needs ");
     const std::string help = check_output(folder, "brdfplot " + command + " -h");

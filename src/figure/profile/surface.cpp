@@ -5,6 +5,8 @@
 #include "base/number.hpp"
 #include "base/random.hpp"
 #include "brdf/evaluate.hpp"
+#include "microfacet/remembered.hpp"
+#include "models/model_text.hpp"
 #include "models/registry.hpp"
 
 #include <algorithm>
@@ -122,6 +124,24 @@ std::size_t cut_count(const ModelChoice& choice) {
       surface);
 }
 
+namespace {
+
+/// The surface of a seed. Many profiles are cut from one: the last few stay, but large ones.
+template <class Surface>
+std::shared_ptr<const simulation::Realisation> realised(const Surface& surface, const ModelChoice& choice,
+                                                        std::uint64_t seed) {
+  const auto make = [&] {
+    return std::make_shared<const simulation::Realisation>(
+        interruptible([surface, seed] { return surface.realise(seed, 0); }));
+  };
+  constexpr std::size_t kept = 8, largest = 1024;
+  if (cut_count(choice) > largest) return make();
+  return remembered<std::shared_ptr<const simulation::Realisation>, kept>(
+      text_of_model(choice) + " " + std::to_string(seed), make);
+}
+
+} // namespace
+
 Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_y_(along_y) {
   const auto made_surface = made(choice);
   if (const auto* error = std::get_if<ParameterError>(&made_surface)) throw InputError(error->key, error->what);
@@ -131,9 +151,7 @@ Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_
   std::visit(
       [&](const auto& of) {
         if constexpr (requires { of.realise(seed, 0); }) {
-          auto realisation = interruptible([of, seed] { return of.realise(seed, 0); });
-          fields_ = std::move(realisation.fields);
-          correlation_length_ = realisation.correlation_length;
+          realised_ = realised(of, choice, seed);
           alpha_ = alpha_along(of.asked().value(), along_y);
           if (!cavities_) slopes_ = of.target().value().type;
           if constexpr (std::is_same_v<std::decay_t<decltype(of)>, simulation::GaussianSurface>)
@@ -150,7 +168,7 @@ Cuts::Cuts(const ModelChoice& choice, std::uint64_t seed, bool along_y) : along_
 }
 
 std::vector<double> Cuts::heights(std::size_t k) const {
-  const auto& field = cavities_ ? fields_.at(k) : fields_.front();
+  const auto& field = realised_->fields.at(cavities_ ? k : 0);
   const int cut = cavities_ ? 0 : static_cast<int>(k);
   std::vector<double> out;
   const int count = along_y_ && !cavities_ ? field.ny() : field.nx();
@@ -159,7 +177,7 @@ std::vector<double> Cuts::heights(std::size_t k) const {
 }
 
 Profile Cuts::profile(std::size_t k) const {
-  if (fields_.empty()) return only_;
+  if (!realised_) return only_;
   std::vector<double> all = heights(k);
   // Heights are from the mean of the surface; one row of a ridge has its mean.
   const double mean = cavities_ ? std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size()) : 0;
@@ -175,7 +193,8 @@ std::vector<std::size_t> Cuts::surface_of(std::size_t k) const {
 }
 
 double Cuts::theta_m(std::size_t k) const {
-  return std::atan(std::fabs(fields_.at(k).height(1, 0) - fields_.at(k).height(0, 0)));
+  const auto& field = realised_->fields.at(k);
+  return std::atan(std::fabs(field.height(1, 0) - field.height(0, 0)));
 }
 
 std::optional<double> Cuts::g1(std::size_t k, double theta, const Distortion& distortion) const {
@@ -196,7 +215,7 @@ std::optional<double> Cuts::g1(std::size_t k, double theta, const Distortion& di
 }
 
 std::size_t Cuts::correlation_length() const {
-  return static_cast<std::size_t>(std::max(std::lround(correlation_length_), 1L));
+  return static_cast<std::size_t>(std::max(std::lround(realised_ ? realised_->correlation_length : 0), 1L));
 }
 
 double HeightLaw::at(double distance) const {

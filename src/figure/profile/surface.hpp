@@ -8,6 +8,7 @@
 #include "simulation/surfaces/v_cavity.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -99,14 +100,13 @@ public:
 private:
   [[nodiscard]] std::vector<double> heights(std::size_t k) const;
 
-  std::vector<simulation::HeightField> fields_; ///< none: the profile is `only_`
+  std::shared_ptr<const simulation::Realisation> realised_; ///< none: the profile is `only_`
   Profile only_;
   std::string slopes_; ///< type of the distribution, none for cavities and the flat surface
   double alpha_ = 0;   ///< in the plane of the cut
   bool cavities_ = false;
   bool along_y_ = false;
   std::size_t count_ = 1;
-  double correlation_length_ = 0;
   std::optional<HeightLaw> law_{};
 };
 

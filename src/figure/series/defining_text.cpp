@@ -1,30 +1,11 @@
 #include "figure/series/defining_text.hpp"
 
 #include "base/number.hpp"
+#include "models/model_text.hpp"
 
 namespace brdfplot::plot {
 
 namespace {
-
-std::string text_of(const ModelChoice& choice);
-
-std::string text_of(const Value& value) {
-  struct Visitor {
-    std::string operator()(double x) const { return format_number(x); }
-    std::string operator()(const std::string& text) const { return text; }
-    std::string operator()(const Vec2& v) const { return format_number(v[0]) + ";" + format_number(v[1]); }
-    std::string operator()(const Rgb& v) const {
-      return format_number(v[0]) + ";" + format_number(v[1]) + ";" + format_number(v[2]);
-    }
-    std::string operator()(const WeightedChoices& components) const {
-      std::string out;
-      for (const auto& component : components)
-        out += format_number(component.weight) + "*" + text_of(component.model) + ";";
-      return out;
-    }
-  };
-  return std::visit(Visitor{}, value);
-}
 
 struct SettingText {
   std::string operator()(double x) const { return format_number(x); }
@@ -34,14 +15,8 @@ struct SettingText {
   }
 };
 
-std::string text_of(const ModelChoice& choice) {
-  std::string out = choice.type + "{";
-  for (const auto& [key, value] : choice.values.map()) out += key + "=" + text_of(value) + ",";
-  return out + "}";
-}
-
 std::string text_of_masking(const MicrosurfaceDescription& surface) {
-  return " " + text_of(surface.masking) + " " + (surface.shadowing ? text_of(*surface.shadowing) : "");
+  return " " + text_of_model(surface.masking) + " " + (surface.shadowing ? text_of_model(*surface.shadowing) : "");
 }
 
 } // namespace
@@ -50,15 +25,16 @@ std::string defining_text(const MaterialDescription& material) {
   std::string out;
   for (const TermDescription& term : material.terms) {
     // What a simulation does not know, which has one mirror, is left out: old measurements stay good.
-    const bool plain = term.type == "mirror" && term.name.empty() && text_of(term.weight) == "1";
+    const bool plain = term.type == "mirror" && term.name.empty() && text_of_value(term.weight) == "1";
     if (!plain)
-      out += term.name + " " + term.type + " " + text_of(term.weight) + " " + text_of({"", term.values}) + " ";
-    out += text_of(term.distribution) + " " + text_of(term.fresnel);
+      out +=
+          term.name + " " + term.type + " " + text_of_value(term.weight) + " " + text_of_model({"", term.values}) + " ";
+    out += text_of_model(term.distribution) + " " + text_of_model(term.fresnel);
     if (!term.of_name.empty()) out += " of \"" + term.of_name + "\"";
     for (const TermDescription& other : term.of)
       out += " of (" + defining_text(MaterialDescription(other)) + text_of_masking(other) + ")";
     for (const LayerDescription& layer : term.layers)
-      out += " under " + layer.coat + " " + text_of(layer.weight) + text_of({"", layer.values});
+      out += " under " + layer.coat + " " + text_of_value(layer.weight) + text_of_model({"", layer.values});
   }
   return out;
 }
