@@ -80,7 +80,7 @@ public:
       : frame_(plan.plot), points_(points), lines_(line_corners(plan)) {}
 
   void place(NamedPoint& point) const {
-    constexpr double on_a_line = 60; // as good as being so much farther off
+    constexpr double on_a_line = 60;   // as good as being so much farther off
     constexpr double over_a_dot = 150; // whose name it would seem to be
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : {0.0, 6.0, 14.0, 24.0, 36.0, 50.0, 65.0, 80.0, 95.0, 125.0, 160.0, 200.0}) {
