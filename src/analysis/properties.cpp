@@ -27,6 +27,8 @@ std::string text_of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   std::string out;
+  if (const auto* parts = std::get_if<WeightedChoices>(&value))
+    for (const WeightedChoice& part : *parts) out += (out.empty() ? "" : " ") + part.model.type;
   const auto append = [&](double x) { out += (out.empty() ? "" : " ") + format_number(x); };
   if (const auto* pair = std::get_if<Vec2>(&value)) std::ranges::for_each(*pair, append);
   if (const auto* rgb = std::get_if<Rgb>(&value)) std::ranges::for_each(*rgb, append);

@@ -52,12 +52,16 @@ double cos_2_phi(const Direction& omega) {
 
 } // namespace
 
-AlbedoTable::AlbedoTable(std::size_t channels, bool isotropic, const Albedo& albedo, double tolerance)
+AlbedoTable::AlbedoTable(std::size_t channels, bool isotropic, const Albedo& albedo, double tolerance,
+                         const std::vector<double>& cuts)
     : channels_(channels), isotropic_(isotropic) {
   // Masking and shadowing change within an angle of the order of the roughness from grazing: the first cuts are there.
   const std::size_t azimuths = isotropic ? 1 : 6;
-  add(0, 0.5, azimuths, albedo, tolerance);
-  add(0.5, 1, azimuths, albedo, tolerance);
+  std::vector<double> ends = {0, 0.5, 1};
+  for (const double mu : cuts) ends.push_back(std::sqrt(mu));
+  std::ranges::sort(ends);
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    if (ends[k] < ends[k + 1]) add(ends[k], ends[k + 1], azimuths, albedo, tolerance);
   constexpr std::size_t turn = 32; // azimuths of the mean, where E is above 1 by its error no polynomial
   const std::size_t count = isotropic ? 1 : turn;
   for (const Piece& piece : pieces_) {
@@ -120,13 +124,15 @@ Beyond beyond(const Rows& rows) {
 } // namespace
 
 void AlbedoTable::add(double from, double to, std::size_t azimuths, const Albedo& albedo, double tolerance) {
-  constexpr double narrowest = 0x1p-12;
+  // Towards a root at the normal coefficients fall like 1 / k^2, and what is left out is as much more.
+  const bool at_normal = isotropic_ && to == 1; // NOLINT(clang-diagnostic-float-equal)
+  const double narrowest = at_normal ? 0x1p-40 : 0x1p-12;
   constexpr std::size_t most_azimuths = 64;
   const auto missed = [&](const Piece& piece) {
     Beyond worst;
     for (std::size_t c = 0; c < channels_; ++c) {
       const Beyond one = beyond(piece.of_channel[c]);
-      worst = {std::max(worst.t, one.t), std::max(worst.phi, one.phi)};
+      worst = {std::max(worst.t, at_normal ? 4 * one.t : one.t), std::max(worst.phi, one.phi)};
     }
     return worst;
   };

@@ -14,14 +14,18 @@ namespace brdfplot {
 
 /// E(omega), the directional albedo of what has the planes y = 0 and x = 0 for mirrors, for up to three channels:
 /// piecewise polynomials in sqrt(cos theta) and in cos 2 phi, through Chebyshev nodes. Pieces are halved, and get more
-/// nodes in cos 2 phi, until their last coefficients are below the tolerance. What is isotropic has one node there.
+/// nodes in cos 2 phi, until their last coefficients are below the tolerance. What is isotropic has one node there, and
+/// is cut besides where it is not smooth: at given cosines, and ever finer towards the normal, where masking by a fit
+/// may have a root.
 class AlbedoTable {
 public:
   /// E of each channel with its error, at a direction above the horizon.
   using Albedo = std::function<ColourEstimate(const Direction& omega)>;
 
   AlbedoTable() = default;
-  AlbedoTable(std::size_t channels, bool isotropic, const Albedo& albedo, double tolerance);
+  /// `cuts` are cosines in (0, 1) at which E jumps or bends, for what is isotropic.
+  AlbedoTable(std::size_t channels, bool isotropic, const Albedo& albedo, double tolerance,
+              const std::vector<double>& cuts = {});
 
   /// E(omega), omega above the horizon.
   double albedo(std::size_t channel, const Direction& omega) const;

@@ -53,10 +53,29 @@ std::size_t write_term(TermBlock& block, const PairBlock& pairs, std::array<Buff
   return count;
 }
 
+bool is_unweighted(const WeightedTerm& term) { return !term.weight.is_rgb && term.weight.value == Rgb{1, 1, 1}; }
+
+/// Writes the BRDF of a material that is one flat term, at once: there is nothing to prepare. Returns whether it is
+/// one.
+bool write_flat(const Material& material, std::span<const Wanted> wanted, const Batch& batch) {
+  if (wanted.size() != 1 || material.terms.size() != 1 || !wanted[0].term.empty() || !batch.o || !batch.i) return false;
+  const Quantity quantity = wanted[0].quantity;
+  const WeightedTerm& only = material.terms[0];
+  if (quantity != Quantity::brdf && quantity != Quantity::brdf_cos) return false;
+  if (!only.coats.empty() || !is_unweighted(only)) return false;
+  return std::visit(
+      [&]<class T>(const T& term) {
+        if constexpr (requires { T::is_flat; })
+          evaluate_term(term, quantity == Quantity::brdf_cos, batch, wanted[0].out);
+        return requires { T::is_flat; };
+      },
+      only.term);
+}
+
 /// Writes the BRDF of the terms, the first of which is written and the others added.
 void write_sum(const std::vector<TermBlock*>& terms, int channels, const PairBlock& pairs, const ChannelRows& out) {
   const WeightedTerm& first = *terms[0]->term;
-  if (terms.size() == 1 && first.coats.empty() && !first.weight.is_rgb && first.weight.value == Rgb{1, 1, 1})
+  if (terms.size() == 1 && first.coats.empty() && is_unweighted(first))
     return std::visit([&](const auto& term) { term.evaluate(pairs, terms[0]->work, out); }, first.term);
   std::array<Buffer, 3> values;
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -171,6 +190,7 @@ void require(const Material& material, const QuantityInfo& info, bool has_o, boo
 }
 
 void evaluate(const Material& material, std::span<const Wanted> wanted, const Batch& batch) {
+  if (write_flat(material, wanted, batch)) return;
   if (!batch.m) return Evaluation(material, wanted, batch).run();
   // What does not look at a given normal has half vectors of its own.
   std::vector<Wanted> with_normal, without;

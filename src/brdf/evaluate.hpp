@@ -49,6 +49,8 @@ double evaluate(const Material& material, Quantity quantity, const Direction& o,
 template <class T>
 void evaluate_term(const T& term, bool times_cosine, const Batch& batch, double* out) {
   SurfaceBlock work;
+  if constexpr (requires { T::is_flat; })
+    return term.evaluate({batch.n, batch.o, batch.i, times_cosine}, work, rows_from(out, 0, batch.n, term.channels()));
   for (std::size_t first = 0; first < batch.n; first += PairBlock::capacity) {
     const std::size_t n = std::min(PairBlock::capacity, batch.n - first);
     set_directions(work, n, batch.o.from(first), batch.i.from(first), {});

@@ -215,6 +215,25 @@ HalfVectorKinks kinks(const Microsurface& surface, const Fresnel& fresnel, const
   return out;
 }
 
+std::vector<double> kinks_of_viewers(const Microsurface& surface) {
+  std::vector<double> all;
+  std::visit(
+      [&]<class M>(const M&) {
+        if constexpr (requires(const Projection& p) { M::kink(p); })
+          for (const SlopeMap& map : masked_slopes(surface.distribution)) {
+            // From below 0 at the horizon to above at the normal: halved down to neighbouring numbers.
+            const auto sign_at = [&](double mu) {
+              return M::kink(map.project({std::sqrt((1 - mu) * (1 + mu)), 0, mu}));
+            };
+            double low = 0, high = 1;
+            for (double mu = 0.5; low < mu && mu < high; mu = 0.5 * (low + high)) (sign_at(mu) < 0 ? low : high) = mu;
+            all.push_back(high);
+          }
+      },
+      surface.masking);
+  return all;
+}
+
 std::vector<Switch> fresnel_kinks(const Fresnel& fresnel, const Direction& omega_o, const ChannelRange& channels) {
   std::vector<Switch> all;
   std::vector<double> known;

@@ -44,6 +44,9 @@ bool has_masking_line(const Microsurface& surface);
 HalfVectorKinks kinks(const Microsurface& surface, const Fresnel& fresnel, const Direction& omega_o,
                       const ChannelRange& channels);
 
+/// The cosines of viewers at which the masking of an isotropic surface jumps or bends, whatever the normal.
+std::vector<double> kinks_of_viewers(const Microsurface& surface);
+
 /// Those of F(o.h) alone.
 std::vector<Switch> fresnel_kinks(const Fresnel& fresnel, const Direction& omega_o, const ChannelRange& channels);
 

@@ -85,6 +85,7 @@ inline ChannelRows rows_from(double* out, std::size_t first, std::size_t n, int 
 ///   bends()                 rho c_i is not 0 below the horizon, but down to the lowest of these cosines of the light;
 ///                           rho is 0 there
 ///   reflected_light(o, tolerance, channels, weight)  its own rule for integrals over the light (reflected_light.hpp)
+///   is_flat                  evaluate() looks at the rows alone, any number of them at once: at no `work`
 ///   piecewise_constant       rho has steps and no slope: where it is largest is a range, not a place
 ///   brdf(o, i, tolerance)    rho of albedo 1 with an error, where it is a quadrature; else rho is a closed form
 template <class T>

@@ -1,6 +1,7 @@
 #include "brdf/term_albedo.hpp"
 
 #include "base/number.hpp"
+#include "brdf/kinks.hpp"
 #include "brdf/material.hpp"
 #include "brdf/reflected_light.hpp"
 #include "microfacet/remembered.hpp"
@@ -38,12 +39,13 @@ AlbedoTable table_of(const WeightedTerm& term, const std::string& own_name) {
   const double tolerance = term.is_isotropic() ? 1e-8 : 1e-7; // of two dimensions, which takes seconds
   constexpr double largest_error = 1e-6;
   const auto channels = static_cast<std::size_t>(term.channels());
+  const bool cut = term.is_isotropic() && term.surface() != nullptr;
   AlbedoTable table(
       channels, term.is_isotropic(),
       [&](const Direction& o) {
         return reflected_light({&term}, o, 0.1 * tolerance, {0, channels}, every_direction);
       },
-      tolerance);
+      tolerance, cut ? kinks_of_viewers(*term.surface()) : std::vector<double>{});
   const double angle = std::acos(table.where_largest().z) * 180 / std::numbers::pi;
   const std::string name = "\"" + own_name + "\"";
   if (!(table.error() <= largest_error))

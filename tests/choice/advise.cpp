@@ -142,6 +142,45 @@ TEST_CASE("the ladder has every combination, and each model once") {
   CHECK(ladder.rungs[0].levels == std::vector<std::size_t>{0, 0});
 }
 
+TEST_CASE("one lobe in the place of a mixture lies where the mixture does, and is as wide") {
+  const auto part = [](double alpha, const Vec2& mean) {
+    ModelChoice one{.type = "beckmann"};
+    one.values.set("alpha", alpha);
+    one.values.set("mean_slope", mean);
+    return one;
+  };
+  TermDescription term;
+  term.name = "normals";
+  term.distribution = {.type = "mixture"};
+  term.distribution.values.set("components", WeightedChoices{{1, part(0.2, {0.5, 0.1})}, {3, part(0.2, {0.1, 0.1})}});
+  Draft draft{canonical(MaterialDescription(term)), {}, {}};
+  const std::vector<Option> options = SingleLobe::of(draft.material);
+  REQUIRE(options.size() == 1);
+  REQUIRE(options[0].steps[0].apply(draft));
+  const Values& ggx = draft.material.terms[0].distribution.values;
+  // The mean of 0.5 and thrice 0.1 is 0.2, and they vary by (0.3^2 + 3 0.1^2) / 4 about it.
+  CHECK(ggx.vec2("mean_slope")[0] == doctest::Approx(0.2));
+  CHECK(ggx.vec2("mean_slope")[1] == doctest::Approx(0.1));
+  CHECK(ggx.number("alpha_x") == doctest::Approx(std::sqrt(0.04 + 2 * 0.03)));
+  CHECK(ggx.number("alpha_y") == doctest::Approx(0.2));
+}
+
+TEST_CASE("a mean slope that is left out is left out of the parts of a mixture too") {
+  TermDescription term;
+  ModelChoice sheared{.type = "ggx"}, level = sheared;
+  sheared.values.set("alpha", 0.3);
+  level.values.set("alpha", 0.3);
+  sheared.values.set("mean_slope", Vec2{0.2, 0});
+  term.distribution = {.type = "mixture"};
+  term.distribution.values.set("components", WeightedChoices{{1, sheared}, {1, level}});
+  Draft draft{canonical(MaterialDescription(term)), {}, {}};
+  const std::vector<Option> options = Level::of(draft.material);
+  REQUIRE(options.size() == 1);
+  CHECK(options[0].steps[0].apply(draft));
+  CHECK(build(draft.material).mesosurface().centred());
+  CHECK(Level::of(draft.material).empty());
+}
+
 TEST_CASE("the answer is the cheapest of all that are within the tolerance") {
   AdviceScene scene = scene_of(mirror(0.3, conductor({0.1, 0.4, 1.4}, {4, 2.4, 1.6})), 1e-9);
   // With no tolerance to speak of the material in full is the answer, so that every model is evaluated.

@@ -45,6 +45,10 @@ std::vector<Case> cases() {
       {R"({"type": "merl", "file": "lambert.binary"})", true},
       {R"({"type": "rgl", "file": "ggx.bsdf"})", false}, // interpolated in one direction
       {R"({"type": "coated", "coat": )" + mirror + R"(, "base": [{"type": "lambert"}]})", true},
+      {R"({"type": "coated", "attenuation": "half", "coat": )" + mirror + R"(, "base": [{"type": "lambert"}]})", false},
+      {R"({"type": "mirror", "shadowing": {"type": "hammon"}, )" + ggx + "}", true},
+      {R"({"type": "mirror", "shadowing": {"type": "neubelt"}, )" + ggx + "}", true},
+      {R"({"type": "mirror", "masking": {"type": "karis"}, )" + ggx + "}", true},
       {mirror + R"(, {"type": "lambert"})", true},
       {mirror + R"(, {"type": "fresnel_lambert", "at": "normal"})", false},
       {R"({"type": "lambert"}, {"type": "wrap", "w": 0.1, "weight": 0.1})", false},

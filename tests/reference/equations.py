@@ -77,6 +77,7 @@ def number(label):
 
 
 def shortened(doc):
+    doc = re.sub(r" \([^()]*Eqs?\. [^()]*\)", "", doc)
     doc = re.sub(r"[;,]? (needs omega|takes |Eqs?\. ).*", "", re.sub(r"\[.*?\]", "", doc)).strip(" ;,")
     return (doc.split(":")[0] if len(doc) > 120 else doc).replace("|", "\\|")
 

@@ -19,6 +19,7 @@ struct DisneyDiffuse {
   double subsurface = 0;
   bool printed = false;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {
         .type = "disney_diffuse",

@@ -10,6 +10,7 @@ namespace brdfplot {
 struct DisneySheen {
   Colour color;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {.type = "disney_sheen",
             .doc = "color (1 - h.l)^5",

@@ -12,6 +12,7 @@ struct FujiiOrenNayar {
   Colour albedo;
   double roughness = 0;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec();
   static FujiiOrenNayar from(const TermDescription& description);
 
@@ -27,6 +28,7 @@ struct Eon {
   Colour albedo;
   double roughness = 0;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec();
   static Eon from(const TermDescription& description);
 

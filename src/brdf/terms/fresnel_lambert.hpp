@@ -13,6 +13,7 @@ struct FresnelLambert {
   Colour albedo, f0;
   bool at_normal = true;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {.type = "fresnel_lambert",
             .doc = "albedo / pi times 1 - F at the normal or at the half vector",

@@ -16,6 +16,7 @@ struct HammonDiffuse {
   Colour albedo, f0;
   double alpha = 0;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {.type = "hammon_diffuse",
             .doc = "rough diffuse surface, fitted to two bounces on GGX",

@@ -12,6 +12,7 @@ namespace brdfplot {
 struct Lambert {
   Colour albedo;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {.type = "lambert",
             .doc = "albedo / pi",

@@ -15,6 +15,7 @@ struct OrenNayarFits {
   double sigma = 0;
   OrenNayarFit form = OrenNayarFit::full;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec();
   static OrenNayarFits from(const TermDescription& description);
 

@@ -13,6 +13,7 @@ namespace brdfplot {
 struct Shirley {
   Colour albedo, f0;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {.type = "shirley",
             .doc = "diffuse light through a Fresnel mirror, both ways",

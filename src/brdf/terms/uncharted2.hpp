@@ -14,6 +14,7 @@ struct Uncharted2 {
   Colour albedo;
   double rim = 0, rim_power = 1, inner = 0, inner_power = 1, diffuse = 1;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec() {
     return {
         .type = "uncharted2",

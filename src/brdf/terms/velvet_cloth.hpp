@@ -15,6 +15,7 @@ struct VelvetCloth {
   Colour albedo, f0;
   VelvetProfile velvet;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec();
   static VelvetCloth from(const TermDescription& description) {
     const Values values = completed_values<VelvetCloth>(description);

@@ -23,6 +23,7 @@ struct Wrap {
   double w = 0;
   Form form = Form::printed;
 
+  static constexpr bool is_flat = true;
   static ModelSpec spec();
   static Wrap from(const TermDescription& description);
 

@@ -68,6 +68,13 @@ inline bool as_ggx(const TermDescription& term) {
   return term.distribution.type == "ggx" || (values.has("lambda_of") && values.text("lambda_of") == "ggx");
 }
 
+/// The projected area of the mesosurface.
+template <class T>
+T cosine(const Lobe<T>& lobe, const Vector<T>& w) {
+  const Stretch<T>& s = lobe.stretch;
+  return s.sheared ? w.z - w.x * s.mean_x - w.y * s.mean_y : w.z;
+}
+
 /// c Lambda of one direction with the projected area c of the mesosurface, by the masking function.
 template <class T>
 T masked(const TermDescription& term, const Lobe<T>& lobe, const Vector<T>& w, const T& c) {
@@ -83,6 +90,15 @@ T masked(const TermDescription& term, const Lobe<T>& lobe, const Vector<T>& w, c
     if constexpr (!std::is_same_v<T, Counted>) throw std::logic_error("the fit has no form but in counts");
     return masked_sheen_fit(c, T(1), T(2), T(0.5), T(-1), T(1), T(0.5));
   }
+  if (lobe.type == "mixture" && lobe.stretch.sheared) { // a table for each component, of an a of its own
+    T sum(0);
+    for (std::size_t k = 0; k < lobe.components.size(); ++k) {
+      const T c_k = cosine(lobe.components[k], w), s_k = sqrt(projected2(w, lobe.components[k].roughness));
+      sum += s_k * (of_table<T>(1) * lobe.weights[k]);
+      (void)(c_k / s_k);
+    }
+    return sum;
+  }
   const T s2 = projected2(w, lobe.roughness);
   if (by == "smith_rational") return masked_walter(c, s2);
   if (by == "smith" && as_ggx(term)) return masked_ggx(c, s2);
@@ -96,13 +112,6 @@ T masked(const TermDescription& term, const Lobe<T>& lobe, const Vector<T>& w, c
 
 inline bool has_masked_area(const TermDescription& term) {
   return term.masking.type != "implicit" && term.masking.type != "kelemen";
-}
-
-/// The projected area of the mesosurface.
-template <class T>
-T cosine(const Lobe<T>& lobe, const Vector<T>& w) {
-  const Stretch<T>& s = lobe.stretch;
-  return s.sheared ? w.z - w.x * s.mean_x - w.y * s.mean_y : w.z;
 }
 
 inline std::string shadowing_of(const TermDescription& term) {

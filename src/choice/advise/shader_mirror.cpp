@@ -40,6 +40,7 @@ Lobe<N> lobe_of(const ModelChoice& d) {
   for (const WeightedChoice& one : d.values.components("components")) {
     lobe.components.push_back(lobe_of(one.model));
     lobe.weights.emplace_back(one.weight);
+    lobe.stretch.sheared = lobe.stretch.sheared || lobe.components.back().stretch.sheared;
   }
   return lobe;
 }

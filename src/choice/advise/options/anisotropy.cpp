@@ -1,6 +1,7 @@
 #include "choice/advise/options/anisotropy.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace brdfplot::choice {
 
@@ -34,6 +35,30 @@ bool make_isotropic(Draft& draft, const std::string& name) {
   return true;
 }
 
+/// Leaves the mean slope out, and those of the parts of a mixture. Returns whether there was one.
+bool make_level(ModelChoice& distribution) {
+  if (distribution.type != "mixture") {
+    const bool sheared = distribution.values.has("mean_slope");
+    distribution.values = without(distribution.values, {"mean_slope"});
+    return sheared;
+  }
+  WeightedChoices level;
+  bool sheared = false;
+  for (WeightedChoice part : distribution.values.components("components")) {
+    sheared = make_level(part.model) || sheared;
+    level.push_back(std::move(part));
+  }
+  distribution.values.set("components", level);
+  return sheared;
+}
+
+bool make_level(MaterialDescription& material) {
+  bool sheared = false;
+  for (TermDescription& term : material.terms)
+    if (!term.distribution.type.empty()) sheared = make_level(term.distribution) || sheared;
+  return sheared;
+}
+
 } // namespace
 
 std::vector<Option> Rounder::of(const MaterialDescription& material) {
@@ -52,17 +77,9 @@ std::vector<Option> Rounder::of(const MaterialDescription& material) {
 }
 
 std::vector<Option> Level::of(const MaterialDescription& material) {
-  bool sheared = false;
-  for (const TermDescription& term : material.terms) sheared = sheared || term.distribution.values.has("mean_slope");
-  if (!sheared) return {};
-  return {{"mean slope", {{"mean slope: none", [](Draft& draft) {
-                             bool changed = false;
-                             for (TermDescription& term : draft.material.terms) {
-                               changed = changed || term.distribution.values.has("mean_slope");
-                               term.distribution.values = without(term.distribution.values, {"mean_slope"});
-                             }
-                             return changed;
-                           }}}}};
+  MaterialDescription level = material;
+  if (!make_level(level)) return {};
+  return {{"mean slope", {{"mean slope: none", [](Draft& draft) { return make_level(draft.material); }}}}};
 }
 
 } // namespace brdfplot::choice

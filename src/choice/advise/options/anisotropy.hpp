@@ -12,7 +12,7 @@ struct Rounder {
   static std::vector<Option> of(const MaterialDescription& material);
 };
 
-/// The mean slope of all terms left out.
+/// The mean slopes of all terms, and of the parts of their mixtures, left out.
 struct Level {
   static std::vector<Option> of(const MaterialDescription& material);
 };

@@ -13,38 +13,43 @@ SlopeMap slopes_of(const ModelChoice& choice) {
   return std::visit([](const auto& d) { return d.slopes; }, make_or_throw<Distribution>("distribution", choice));
 }
 
-/// The mean of the logarithm of both alphas over the components.
-std::array<double, 2> mean_alpha(const WeightedChoices& components) {
-  double sum = 0;
-  std::array<double, 2> log{};
-  for (const WeightedChoice& one : components) {
+/// The slopes that one lobe in the place of a mixture starts from: the mean slope, and alphas that are the mean of the
+/// logarithm of the components', wider as the mean slopes of these are apart: Gaussian slopes of alpha about means that
+/// vary by s^2 have alpha^2 + 2 s^2.
+SlopeMap lobe_of(const ModelChoice& choice) {
+  SlopeMap lobe = slopes_of(choice);
+  if (choice.type != "mixture") return lobe;
+  double sum = 0, log_x = 0, log_y = 0, correlation = 0, xx = 0, yy = 0, xy = 0;
+  for (const WeightedChoice& one : choice.values.components("components")) {
     const SlopeMap map = slopes_of(one.model);
+    const double x = map.mean_x - lobe.mean_x, y = map.mean_y - lobe.mean_y;
     sum += one.weight;
-    log[0] += one.weight * std::log(map.alpha_x);
-    log[1] += one.weight * std::log(map.alpha_y);
+    log_x += one.weight * std::log(map.alpha_x);
+    log_y += one.weight * std::log(map.alpha_y);
+    correlation += one.weight * map.correlation;
+    xx += one.weight * x * x;
+    yy += one.weight * y * y;
+    xy += one.weight * x * y;
   }
-  return {std::exp(log[0] / sum), std::exp(log[1] / sum)};
-}
-
-std::array<double, 2> alpha_of(const ModelChoice& choice) {
-  if (choice.type == "mixture") return mean_alpha(choice.values.components("components"));
-  const SlopeMap map = slopes_of(choice);
-  return {map.alpha_x, map.alpha_y};
+  const double alpha_x = std::exp(log_x / sum), alpha_y = std::exp(log_y / sum);
+  lobe.alpha_x = xx > 0 ? std::sqrt(alpha_x * alpha_x + 2 * xx / sum) : alpha_x;
+  lobe.alpha_y = yy > 0 ? std::sqrt(alpha_y * alpha_y + 2 * yy / sum) : alpha_y;
+  lobe.correlation = (correlation / sum * alpha_x * alpha_y + 2 * xy / sum) / (lobe.alpha_x * lobe.alpha_y);
+  return lobe;
 }
 
 bool make_ggx(Draft& draft, const std::string& name) {
   TermDescription* term = draft.find(name);
   if (term == nullptr) return false;
-  const std::array<double, 2> alpha = alpha_of(term->distribution);
+  const SlopeMap lobe = lobe_of(term->distribution);
   ModelChoice ggx{.type = "ggx"};
-  for (const char* key : {"correlation", "mean_slope"})
-    if (const auto& map = term->distribution.values.map(); map.contains(key))
-      ggx.values.set(key, map.find(key)->second);
-  if (alpha[0] == alpha[1]) { // NOLINT(clang-diagnostic-float-equal)
-    ggx.values.set("alpha", alpha[0]);
+  if (lobe.correlation != 0) ggx.values.set("correlation", lobe.correlation);
+  if (!lobe.centred()) ggx.values.set("mean_slope", Vec2{lobe.mean_x, lobe.mean_y});
+  if (lobe.alpha_x == lobe.alpha_y) { // NOLINT(clang-diagnostic-float-equal)
+    ggx.values.set("alpha", lobe.alpha_x);
   } else {
-    ggx.values.set("alpha_x", alpha[0]);
-    ggx.values.set("alpha_y", alpha[1]);
+    ggx.values.set("alpha_x", lobe.alpha_x);
+    ggx.values.set("alpha_y", lobe.alpha_y);
   }
   term->distribution = ggx;
   if (term->masking.type == "student_t_fit") term->masking = {.type = "smith"};

@@ -6,7 +6,8 @@
 
 namespace brdfplot::choice {
 
-/// mixture, student_t, gtr, exponential_power, custom -> GGX with the (geometric mean) alpha, then fitted anew.
+/// mixture, student_t, gtr, exponential_power, custom -> GGX with the mean slope and the (geometric mean) alpha,
+/// wider where parts of a mixture have mean slopes of their own, then fitted anew.
 struct SingleLobe {
   static std::vector<Option> of(const MaterialDescription& material);
 };
