@@ -38,7 +38,7 @@ std::string header(const BakedTable& baked, std::uint32_t width, std::uint32_t h
   channels += '\0';
   std::string description;
   for (const std::string& line : description_of(baked)) description += line + "\n";
-  const std::uint32_t one = std::bit_cast<std::uint32_t>(1.0F);
+  const auto one = std::bit_cast<std::uint32_t>(1.0F);
   const std::string window = numbers({0, 0, width - 1, height - 1});
 
   std::string bytes;

@@ -195,7 +195,15 @@ public:
     Json branches = Json::array();
     for (const auto& [name, shape] : types_) {
       Json branch = shape->schema(definitions);
-      branch["properties"]["type"] = {{"const", name}};
+      Json type = {{"const", name}};
+      const Json& properties = branch["properties"];
+      if (properties.contains("type") && properties["type"].contains("description")) {
+        // Editors show it at the word, and while one is chosen.
+        const Json description = properties["type"]["description"];
+        type["description"] = description;
+        branch["description"] = description;
+      }
+      branch["properties"]["type"] = type;
       branch["title"] = name;
       branches.push_back(branch);
     }

@@ -86,7 +86,7 @@ TEST_CASE("bake refuses in one line what it cannot write") {
   };
   refused("", "MATERIAL.json");
   refused("ggx.json", "-o TABLE");
-  refused("ggx.json -o t.exr", "a name that ends in .npy, .ktx2, .h, .glsl, .csv");
+  refused("ggx.json -o t.png", "a name that ends in .npy, .ktx2, .exr, .h, .glsl, .csv");
   refused("ggx.json -q fnord -o t.npy", "unknown quantity \"fnord\"");
   refused("ggx.json --type double -o t.ktx2", "accepted: float, half");
   refused("ggx.json --error 0 -o t.npy", "a number > 0");

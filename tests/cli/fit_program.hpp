@@ -35,7 +35,7 @@ inline float atan(float y, float x) { return std::atan2(y, x); }
 /// C++ in double and in float, by GLSL and by HLSL. Compiled as ./NAME, from out/NAME.{hpp,glsl,hlsl}.
 inline void build_fit_program(const Folder& folder, const std::string& name, int inputs,
                               const std::vector<std::string>& calls) {
-  std::string text = "#include \"out/" + name + ".hpp\"\n#include <cstdio>\n" +
+  std::string text = "#include \"out/" + name + ".hpp\"\n#include <cmath>\n#include <cstdio>\n" +
                      shader_as_cpp("glsl", folder.read("out/" + name + ".glsl")) +
                      shader_as_cpp("hlsl", folder.read("out/" + name + ".hlsl")) + "int main() {\n  double p[" +
                      std::to_string(inputs) + "];\n  for (;;) {\n    for (int k = 0; k < " + std::to_string(inputs) +

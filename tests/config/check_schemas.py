@@ -345,6 +345,20 @@ class Checker:
                 self.faults.append(f"{name}: the {who} {'accepts' if accepts else 'refuses'} it")
 
 
+def without_description(part, place: str = "") -> list[str]:
+    """The models of a schema that say nothing of themselves: a "type" that is one word, without a description."""
+    if isinstance(part, list):
+        return [found for k, item in enumerate(part) for found in without_description(item, f"{place}/{k}")]
+    if not isinstance(part, dict):
+        return []
+    found = [name for key, item in part.items() for name in without_description(item, f"{place}/{key}")]
+    properties = part.get("properties")
+    kind = properties.get("type") if isinstance(properties, dict) else None
+    if isinstance(kind, dict) and "const" in kind and not (kind.get("description") and part.get("description")):
+        found.append(f"{place}: {kind['const']}")
+    return found
+
+
 def files_of(kind: str, configs: Path) -> list[Path]:
     """Scenes are of two kinds: of those with materials and lights `advise` answers."""
     folder = "scenes" if kind == "advice" else f"{kind}s"
@@ -384,6 +398,7 @@ def main(binary: Path, configs: Path) -> int:
                 count += 1
         for kind, document in BASES.items():
             checker.check(kind, kind, document, True)
+            checker.faults += [f"schema {kind}{name} has no description" for name in without_description(checker.validators[kind].schema)]
         for cases, expected in [(GOOD, True), (BAD, False)]:
             for kind, pointer, value in cases:
                 shown = "gone" if value is GONE else json.dumps(value)

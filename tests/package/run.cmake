@@ -65,8 +65,8 @@ if(loaded MATCHES "lib(embree|fftw|png|tbb|z\\.so)[^ ]*" OR NOT loaded MATCHES "
 endif()
 
 # Files that tell the version to other tools.
-foreach(file IN ITEMS vcpkg.json CITATION.cff)
-  file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../${file}" line REGEX "^[ \"]*version\"?: ")
+foreach(file IN ITEMS vcpkg.json CITATION.cff packaging/vcpkg/ports/brdfplot/vcpkg.json packaging/homebrew/brdfplot.rb)
+  file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../${file}" line REGEX "^[ \"]*version\"?:? \"?[0-9]")
   if(NOT line MATCHES "[ \"]${VERSION}[\",]*$")
     message(FATAL_ERROR "${file} says ${line}; the project's version is ${VERSION}")
   endif()

@@ -8,12 +8,6 @@ namespace brdfplot {
 
 namespace {
 
-double binomial(std::size_t n, std::size_t k) {
-  double value = 1;
-  for (std::size_t i = 1; i <= k; ++i) value = value * static_cast<double>(n - k + i) / static_cast<double>(i);
-  return value;
-}
-
 /// Applies `change` to the coefficients along x of every row, then along y of every column.
 template <class Change>
 Polynomial along_both(Polynomial p, const Change& change) {
@@ -81,6 +75,12 @@ bool positive(const Polynomial& b, double rounding, int depth) {
 }
 
 } // namespace
+
+double binomial(std::size_t n, std::size_t k) {
+  double value = 1;
+  for (std::size_t i = 1; i <= k; ++i) value = value * static_cast<double>(n - k + i) / static_cast<double>(i);
+  return value;
+}
 
 double Polynomial::operator()(double x, double y) const {
   double value = 0;

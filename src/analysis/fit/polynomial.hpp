@@ -28,6 +28,9 @@ Polynomial derivative_x(const Polynomial& p);
 /// p as a polynomial in 1 - x.
 Polynomial mirrored_x(const Polynomial& p);
 
+/// n! / (k! (n - k)!), k <= n.
+double binomial(std::size_t n, std::size_t k);
+
 /// The Bernstein polynomials of one degree at x, b[k] = C(n, k) x^k (1 - x)^(n - k): the basis in which fits are
 /// computed, since its values are in [0, 1] and nearly independent.
 void bernstein(std::size_t degree, double x, double* b);
