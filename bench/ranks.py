@@ -19,7 +19,7 @@ from pathlib import Path
 CONFIGS = Path(__file__).resolve().parent.parent / "configs"
 RANKS = (1, 2, 4)
 NODES = 48
-RAYS = 2e6
+RAYS = 4e5
 
 
 def bake(folder, times):

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace brdfplot {
@@ -35,6 +36,14 @@ void Failure::raise() const {
   if (code == of_memory) throw std::bad_alloc();
   if (code == of_the_program) throw std::runtime_error(text);
   throw Error(code, "", text);
+}
+
+Executor::Executor(const Compute& compute) : compute_(compute) {
+  try {
+    thread_ = std::jthread([this] { run(); });
+  } catch (const std::system_error&) {
+    throw Error(3, "threads", "the system gives no more");
+  }
 }
 
 Executor::~Executor() {

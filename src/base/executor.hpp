@@ -42,7 +42,8 @@ public:
     Failure failure{};
   };
 
-  explicit Executor(const Compute& compute) : compute_(compute), thread_([this] { run(); }) {}
+  /// \throws Error when the system gives no thread
+  explicit Executor(const Compute& compute);
   /// Interrupts what runs (base/interrupt.hpp), whose events are dropped.
   ~Executor();
   Executor(const Executor&) = delete;
