@@ -54,11 +54,11 @@ void CutRays::evaluate_switch(const NormalIntegrand& of, std::span<const double>
 
 void CutRays::add_sign_changes(std::size_t which, Ends& ends) {
   const NormalIntegrand& of = switches_[which].value;
-  constexpr int probes = 24;
+  constexpr std::size_t probes = 24;
   const double begin = ends[0].z, length = ends[1].z - begin;
   static const auto cosines = [] {
     std::array<double, probes> all{};
-    for (int k = 0; k < probes; ++k) all[static_cast<std::size_t>(k)] = std::cos(std::numbers::pi * k / probes);
+    for (std::size_t k = 0; k < probes; ++k) all[k] = std::cos(std::numbers::pi * static_cast<double>(k) / probes);
     return all;
   }();
   std::vector<double> z;
