@@ -181,7 +181,7 @@ private:
   std::vector<std::size_t> next_lot(int number) {
     Group* group = group_for(ranks_[static_cast<std::size_t>(number)]);
     if (group == nullptr) return {};
-    const std::size_t at = static_cast<std::size_t>(group - groups_.data());
+    const auto at = static_cast<std::size_t>(group - groups_.data());
     const auto sharing =
         groups_.size() == 1
             ? static_cast<std::ptrdiff_t>(ranks_.size())

@@ -150,7 +150,7 @@ def check(with_mpi, alone, configs, folder):
         test.expect("without MPI", outcome.returncode == 2 and outcome.stderr.count("\n") == 1, outcome)
 
     # Ranks that are killed: any, at work; then the run goes on.
-    long = ["bake", material, "-q", "furnace", "--over", "cos_theta_o=0:1:30", "--over", "alpha=0.2:1:20"]
+    long = ["bake", material, "-q", "furnace", "--over", "cos_theta_o=0:1:60", "--over", "alpha=0.2:1:20"]
     for victim in (1, 0):
         err = test.ended_by(long, "long.npy", signal.SIGKILL, victim)
         test.expect(f"rank {victim} is killed",
@@ -163,7 +163,9 @@ def check(with_mpi, alone, configs, folder):
         (folder / "long.npy").unlink()
     err = test.ended_by(["simulate", "long.json"], "long", signal.SIGKILL, 2)
     test.expect("rank 2 of rays is killed", re.fullmatch(r"brdfplot: error: rank 2: it has died[^\n]*\n", err), repr(err))
-    err = test.ended_by(long, "long.npy", signal.SIGINT, None)
+    for path in test.kept():
+        path.unlink()
+    err = test.ended_by(["simulate", "long.json"], "long", signal.SIGINT, None)
     test.expect("Ctrl-C", err == "brdfplot: error: interrupted\n", repr(err))
     return test.faults
 
