@@ -30,7 +30,7 @@ BRDFPLOT_INLINE double one_less_fifth(double l) { return one_less_fifth(1 - l, l
 
 /// o + i, whose square is 4 (l.h)^2. Of opposite directions at grazing the square is 0; l.h is then below 1e-153.
 BRDFPLOT_INLINE Vector3 sum_of(const Vector3& o, const Vector3& i) { return {o.x + i.x, o.y + i.y, o.z + i.z}; }
-BRDFPLOT_INLINE double square_of(const Vector3& v) { return (v.x * v.x + v.y * v.y) + v.z * v.z; }
+BRDFPLOT_INLINE double square_of(const Vector3& v) { return multiply_add(v.x, v.x, multiply_add(v.y, v.y, v.z * v.z)); }
 
 /// l.h and what it is short of 1: o + i and o - i are exact to a rounding where a dot product would cancel.
 struct HalfCosine {
@@ -38,8 +38,8 @@ struct HalfCosine {
 };
 
 BRDFPLOT_INLINE HalfCosine half_cosine(const Vector3& o, const Vector3& i) {
-  const double lh = 0.5 * root(square_of(sum_of(o, i)));
-  return {lh, square_of({o.x - i.x, o.y - i.y, o.z - i.z}) / (4 * (1 + lh))};
+  const double twice = pipelined_root(square_of(sum_of(o, i)));
+  return {0.5 * twice, square_of({o.x - i.x, o.y - i.y, o.z - i.z}) / multiply_add(2.0, twice, 4.0)};
 }
 
 template <bool printed>
