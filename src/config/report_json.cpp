@@ -257,14 +257,14 @@ std::string schema(const std::string& kind) {
   return json_schema(*shape, kind).dump(2) + "\n";
 }
 
-std::string validate(const std::string& path) {
-  if (is_material_text(path)) return material_of_argument(path), "material";
-  const std::string kind = kind_of_file(JsonFile(path));
-  if (kind == "figure") return load_figure(path), kind;
-  if (kind == "report") return load_report(path), kind;
-  if (kind == "scene") return load_scene(path), kind;
-  if (kind == "advice") return load_advice(path), kind;
-  return load_material(path), kind;
+std::string validate(const std::string& argument) {
+  if (is_material_text(argument)) return material_of_argument(argument), "material";
+  const std::string kind = kind_of_file(JsonFile(argument));
+  if (kind == "figure") return load_figure(argument), kind;
+  if (kind == "report") return load_report(argument), kind;
+  if (kind == "scene") return load_scene(argument), kind;
+  if (kind == "advice") return load_advice(argument), kind;
+  return load_material(argument), kind;
 }
 
 std::string report_record(const ReportFile& report, const std::string& version, const std::vector<EntryRecord>& entries,

@@ -32,7 +32,7 @@ char colour_type(const Picture& picture) {
 /// Every row as differences between a pixel and its left neighbour (filter 1, table 9.1). Of a shaded sphere it packs
 /// a sixth smaller than what libpng chooses row by row.
 std::string filtered(const Picture& picture) {
-  const auto step = static_cast<std::size_t>(picture.channels + (picture.opaque ? 0 : 1));
+  const std::size_t step = static_cast<std::size_t>(picture.channels) + (picture.opaque ? 0 : 1);
   const std::size_t stride = step * static_cast<std::size_t>(picture.width);
   std::string out;
   out.reserve(picture.bytes.size() + static_cast<std::size_t>(picture.height));
