@@ -47,16 +47,11 @@ Executor::Executor(const Compute& compute) : compute_(compute) {
 }
 
 Executor::~Executor() {
-  bool interrupts = false;
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
-    interrupts = running_ && !interrupted();
-    if (interrupts) interrupt();
   }
   changed_.notify_all();
-  thread_.join();
-  if (interrupts) forget_interrupt();
 }
 
 void Executor::add(std::size_t batch, std::vector<Numbers> pieces) {
@@ -84,10 +79,11 @@ void Executor::tell(Event event) {
 void Executor::compute(const Batch& batch) {
   try {
     compute_(batch.pieces, [&](std::size_t piece, Numbers numbers) {
+      if (ending_) throw Interrupted();
       tell({Event::Kind::piece, batch.number, piece, std::move(numbers)});
     });
     if (!interrupted()) tell({Event::Kind::finished, batch.number});
-  } catch (const Interrupted&) { // NOLINT(bugprone-empty-catch): who waits for the batch looks at the flag too
+  } catch (const Interrupted&) { // NOLINT(bugprone-empty-catch): nobody waits, or who does looks at the flag too
   } catch (...) {
     tell({Event::Kind::failed, batch.number, 0, {}, Failure::current()});
   }
@@ -100,11 +96,9 @@ void Executor::run() {
     if (ending_) return;
     const Batch batch = std::move(batches_.front());
     batches_.pop_front();
-    running_ = true;
     lock.unlock();
     compute(batch);
     lock.lock();
-    running_ = false;
   }
 }
 

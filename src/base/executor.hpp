@@ -4,6 +4,7 @@
 
 #include "base/kept.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -17,7 +18,8 @@
 
 namespace brdfplot {
 
-/// Computes pieces, on as many threads as it likes, and calls done(k, numbers) from any of them when the k-th is ready.
+/// Computes pieces, on as many threads as it likes, and calls done(k, numbers) from any of them when the k-th is ready,
+/// which throws Interrupted when nobody waits for it any more.
 using Done = std::function<void(std::size_t, Numbers)>;
 using Compute = std::function<void(std::span<const Numbers> pieces, const Done& done)>;
 
@@ -44,7 +46,7 @@ public:
 
   /// \throws Error when the system gives no thread
   explicit Executor(const Compute& compute);
-  /// Interrupts what runs (base/interrupt.hpp), whose events are dropped.
+  /// Ends what runs at its next piece; its events are dropped.
   ~Executor();
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
@@ -68,7 +70,7 @@ private:
   std::condition_variable changed_;
   std::deque<Batch> batches_;
   std::vector<Event> events_;
-  bool running_ = false, ending_ = false;
+  std::atomic<bool> ending_ = false;
   std::jthread thread_;
 };
 

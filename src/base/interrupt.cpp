@@ -29,8 +29,6 @@ void install_interrupt_handler() {
 
 bool interrupted() { return flag.load(std::memory_order_relaxed); }
 
-void interrupt() { flag.store(true, std::memory_order_relaxed); }
-
 void forget_interrupt() { flag.store(false, std::memory_order_relaxed); }
 
 void throw_if_interrupted() {

@@ -10,9 +10,6 @@ void install_interrupt_handler();
 
 bool interrupted();
 
-/// Sets the flag, for who has no use for what is running.
-void interrupt();
-
 /// Takes the flag back, for who answers Ctrl-C by keeping what there is.
 void forget_interrupt();
 

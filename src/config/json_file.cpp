@@ -120,6 +120,9 @@ private:
 Json parse(const std::string& path, const std::string& text) {
   Watch watch(path, text);
   Json::sax_parse(text, &watch);
+  // To nlohmann's lexer it is the end of the text, whatever follows.
+  if (const auto zero = text.find('\0'); zero != std::string::npos)
+    throw InputError(path + ":" + line_and_column(text, zero), "a zero byte; accepted: nothing behind the value");
   return Json::parse(text);
 }
 

@@ -75,6 +75,18 @@ TEST_CASE("an endless token does not make an endless message") {
   CHECK(error.size() < 300);
 }
 
+TEST_CASE("a zero byte does not end a file") {
+  using namespace std::string_literals;
+  const TempFolder folder;
+  for (const std::string& behind : {""s, " "s, "{\"b"s, "\0"s}) {
+    const auto path = folder.write("m.json", "{\"a\": 1}\n \0"s + behind);
+    CHECK(error_of(folder, 2, [&] { config::JsonFile file(path); }) ==
+          "m.json:2:2: a zero byte; accepted: nothing behind the value");
+  }
+  const auto path = folder.write("m.json", "{\"a\": \0}"s);
+  CHECK(contains(error_of(folder, 2, [&] { config::JsonFile file(path); }), "m.json:1:"));
+}
+
 TEST_CASE("keys that stand twice are told with their pointer") {
   const TempFolder folder;
   const auto error = [&](const std::string& text) {

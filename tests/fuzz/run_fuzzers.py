@@ -8,10 +8,12 @@ FOLDER/found. The last line is the result: "N passed, N failed".
 """
 
 import argparse
+import base64
 import os
 import re
 import subprocess
 import sys
+import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -32,6 +34,7 @@ def run(folder, reader, arguments):
     findings = folder / "findings" / reader
     for path in (found, findings):
         path.mkdir(parents=True, exist_ok=True)
+    before = set(findings.iterdir())
     corpora = [found, HERE / "corpus" / reader, *(SOURCE / "configs" / name for name in CONFIGS.get(reader, []))]
     limit = [f"-runs={arguments.runs}"] if arguments.runs else [f"-max_total_time={arguments.seconds}"]
     done = subprocess.run([folder / f"fuzz-{reader}", *LIMITS, *limit, f"-artifact_prefix={findings}/",
@@ -39,8 +42,21 @@ def run(folder, reader, arguments):
     count = re.search(r"stat::number_of_executed_units: *(\d+)", done.stderr)
     print(f"{reader}: {count.group(1) if count else '?'} executions, exit code {done.returncode}", flush=True)
     if done.returncode != 0:
-        print("\n".join(done.stderr.splitlines()[-60:]), flush=True)
+        print(told(done.stderr, set(findings.iterdir()) - before), flush=True)
     return done.returncode == 0
+
+
+def told(stderr, findings):
+    """What is needed to see a finding again where only the end of this run's output is kept: the fault, where it was in
+    our sources, and the input."""
+    lines = stderr.splitlines()
+    faults = [k for k, line in enumerate(lines) if re.search(r"ERROR: |runtime error: |==ERROR", line)]
+    report = lines[faults[0]:] if faults else lines[-60:]
+    frames = [line[:300] for line in report[1:] if "/src/" in line]
+    text = report[:1] + frames[:20] if faults else report
+    for path in sorted(findings):
+        text += [f"{path.name}, through zlib and base64:", base64.b64encode(zlib.compress(path.read_bytes(), 9)).decode()]
+    return "\n".join(text)
 
 
 def main():
