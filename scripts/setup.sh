@@ -13,6 +13,8 @@ test_packages=(glslang-tools libxml2-utils librsvg2-bin chromium python3-jsonsch
 style_packages=(clang-format clang-tidy)
 # The sanitizers' build, with libFuzzer.
 sanitizer_packages=(clang libclang-rt-14-dev)
+# The live page: WebAssembly.
+live_packages=(clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 chromium)
 
 # Installs those of the given Debian packages that are missing.
 require_packages() {
