@@ -22,12 +22,13 @@ struct StudentTShape {
   double slope_within(double u) const { return std::sqrt((gamma - 1) * std::expm1(-std::log1p(-u) / (gamma - 1))); }
   /// Where gamma < 2, D grows without bound towards the horizon; normals nearer to it than 1e-150 count as there.
   double scaled_density(double n2, double z2) const;
-  /// a Lambda(a), with I the regularised incomplete beta function, g = gamma - 1 and w = g / (g + a^2):
-  ///   a Lambda = scale w^(gamma - 3/2) - (a / 2) I_w(g, 1/2).
-  /// The exact integral; Ribardiere et al. (2017, Eqs. 22-23) fit it. For a < 2 so. Beyond, the terms cancel, more and
-  /// more: there I_w is Gauss's continued fraction of 2F1(1/2, 1; g + 1; -g / a^2), all of whose coefficients are
-  /// positive, and its first step is subtracted by hand. Domain a in [0, infinity]; relative error at most 1e-13 and
-  /// that of the power w^(gamma - 3/2), 2^-52 times its logarithm.
+  /// a Lambda(a), with g = gamma - 1, x = a^2 / (g + a^2), w = 1 - x and I the regularised incomplete beta function:
+  ///   a Lambda = scale w^(gamma - 3/2) - (a / 2) I_w(g, 1/2) = scale w^(gamma - 3/2) 2F1(gamma - 3/2, 1; 1/2; x) - a
+  ///   / 2.
+  /// The exact integral; Ribardiere et al. (2017, Eqs. 22-23) fit it. For a < 1.1 the second form, by the series.
+  /// Beyond, the terms cancel, more and more: there I_w is Gauss's continued fraction of 2F1(1/2, 1; g + 1; -g / a^2),
+  /// all of whose coefficients are positive, and its first step is subtracted by hand. Domain a in [0, infinity];
+  /// relative error at most 1e-13 and that of the power w^(gamma - 3/2), 2^-52 times its logarithm.
   double a_lambda(double a) const;
 };
 
