@@ -157,12 +157,23 @@ Direction mirrored_at(const Direction& o, const Direction& h) {
 
 struct Arrays {
   std::vector<double> x, y, z;
-  void push(const Direction& d) {
-    x.push_back(d.x);
-    y.push_back(d.y);
-    z.push_back(d.z);
+  void resize(std::size_t n) {
+    for (auto* column : {&x, &y, &z}) column->resize(n);
+  }
+  void set(std::size_t k, const Direction& d) {
+    x[k] = d.x;
+    y[k] = d.y;
+    z[k] = d.z;
   }
   Columns view() const { return {x.data(), y.data(), z.data()}; }
+};
+
+/// Pairs of directions and facets, kept from one call to the next.
+struct Pairs {
+  Arrays o, i, m;
+  void resize(std::size_t n) {
+    for (auto* arrays : {&o, &i, &m}) arrays->resize(n);
+  }
 };
 
 /// The integrand of a case, per solid angle of the facet.
@@ -173,15 +184,16 @@ FacetFunction integrand(const IntegralCase& one, const Component& component, boo
   const double whole = material.surface().has_lambda()
                            ? g1(material, one.o) / material.surface().slopes().project(one.o).c
                            : 0; // G1 / c
-  return [&one, &component, material, several, lit, whole](const std::vector<Direction>& facets,
-                                                           std::vector<double>& values) {
-    Arrays o, i, m;
-    for (const Direction& facet : facets) {
-      o.push(one.o);
-      i.push(mirrored_at(one.o, facet));
-      m.push(facet);
-    }
+  return [&one, &component, material, several, lit, whole, pairs = Pairs()](const std::vector<Direction>& facets,
+                                                                            std::vector<double>& values) mutable {
     const std::size_t n = facets.size();
+    auto& [o, i, m] = pairs;
+    pairs.resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      o.set(k, one.o);
+      if (lit) i.set(k, mirrored_at(one.o, facets[k]));
+      m.set(k, facets[k]);
+    }
     // With a Lambda, masking is one number.
     const Quantity quantity = lit ? Quantity::brdf_cos : whole > 0 ? Quantity::d : Quantity::d_visible;
     evaluate(material, quantity, {n, o.view(), lit ? i.view() : Columns{}, lit ? Columns{} : m.view()}, values.data());
@@ -230,12 +242,14 @@ RayIntegral diffuse_truth(const Material& material, const Direction& o, const Di
   const auto inside = [&](const Direction& facet) { return dot(o, facet) > 0 && dot(i, facet) > 0; };
   RayIntegral sum;
   for (const Component& component : components(material.surface().distribution)) {
-    const FacetFunction f = [&](const std::vector<Direction>& facets, std::vector<double>& values) {
-      Arrays os, is, ms;
-      for (const Direction& facet : facets) {
-        os.push(o);
-        is.push(i);
-        ms.push(facet);
+    const FacetFunction f = [&, pairs = Pairs()](const std::vector<Direction>& facets,
+                                                 std::vector<double>& values) mutable {
+      auto& [os, is, ms] = pairs;
+      pairs.resize(facets.size());
+      for (std::size_t k = 0; k < facets.size(); ++k) {
+        os.set(k, o);
+        is.set(k, i);
+        ms.set(k, facets[k]);
       }
       evaluate(material, Quantity::g2, {facets.size(), os.view(), is.view(), ms.view()}, values.data());
       for (std::size_t k = 0; k < facets.size(); ++k)

@@ -96,6 +96,7 @@ private:
 
   void sum(std::vector<Panel>& panels) const {
     std::vector<double> at, f;
+    at.reserve(panels.size() * node_count);
     for (const Panel& panel : panels)
       for (const double x : rule().x) at.push_back(panel.a + (panel.b - panel.a) * x);
     f.resize(at.size());
@@ -125,7 +126,8 @@ class Rays {
 public:
   Rays(const SlopeMap& map, const std::function<bool(const Direction&)>& inside, const FacetFunction& f,
        double tolerance, int parts)
-      : map_(map), inside_(inside), f_(f), tolerance_(tolerance), parts_(parts) {}
+      : map_(map), root_(std::sqrt(1 - map.correlation * map.correlation)), inside_(inside), f_(f),
+        tolerance_(tolerance), parts_(parts) {}
 
   /// The integral along the ray at psi, over r dr.
   double operator()(double psi) {
@@ -151,9 +153,8 @@ private:
   Direction facet(double r) const {
     const double u = r * cos_psi_, v = r * sin_psi_;
     const double x = map_.mean_x + map_.alpha_x * u;
-    const double y =
-        map_.mean_y + map_.alpha_y * (map_.correlation * u + std::sqrt(1 - map_.correlation * map_.correlation) * v);
-    const double z = 1 / std::hypot(1.0, x, y);
+    const double y = map_.mean_y + map_.alpha_y * (map_.correlation * u + root_ * v);
+    const double z = 1 / std::sqrt(1 + x * x + y * y);
     return {-x * z, -y * z, z};
   }
 
@@ -178,7 +179,7 @@ private:
     values_.resize(r.size());
     f_(facets_, values_);
     evaluations += r.size();
-    const double area = map_.alpha_x * map_.alpha_y * std::sqrt(1 - map_.correlation * map_.correlation);
+    const double area = map_.alpha_x * map_.alpha_y * root_;
     for (std::size_t k = 0; k < r.size(); ++k) {
       const double z = facets_[k].z;
       out[k] = values_[k] == 0 ? 0 : values_[k] * (z * z * z) * area * r[k];
@@ -186,6 +187,7 @@ private:
   }
 
   const SlopeMap& map_;
+  double root_;
   const std::function<bool(const Direction&)>& inside_;
   const FacetFunction& f_;
   double tolerance_;
