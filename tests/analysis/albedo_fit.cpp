@@ -1,4 +1,5 @@
 // The rational fit of an albedo, against the integrals at random places.
+#include "../materials.hpp"
 #include "analysis/fit/albedo.hpp"
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
@@ -13,13 +14,7 @@ using namespace brdfplot;
 
 namespace {
 
-MaterialDescription ggx(double alpha) {
-  TermDescription term;
-  term.type = term.name = "mirror";
-  term.distribution.type = "ggx";
-  term.distribution.values.set("alpha", alpha);
-  return term;
-}
+MaterialDescription ggx(double alpha) { return test::describe("ggx", alpha); }
 
 double albedo(const MaterialDescription& material, double cosine) {
   return compute_or_throw(Integral::albedo, build(material), {std::sqrt((1 - cosine) * (1 + cosine)), 0, cosine}, 1e-7);

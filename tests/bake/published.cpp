@@ -1,6 +1,7 @@
 // Tables that others publish, against the integrals: Cycles' albedo of GGX (Blender 4,
 // intern/cycles/scene/shader.tables, ggx_E and ggx_Eavg), by 2^23 and 2^26 samples, printed with six decimals; alpha =
 // (k / 31)^2, cos theta = k / 31.
+#include "../materials.hpp"
 #include "bake/quantity.hpp"
 
 #include <doctest/doctest.h>
@@ -12,13 +13,7 @@ using namespace brdfplot;
 
 namespace {
 
-MaterialDescription ggx(double alpha) {
-  TermDescription term;
-  term.type = term.name = "mirror";
-  term.distribution.type = "ggx";
-  term.distribution.values.set("alpha", alpha);
-  return term;
-}
+MaterialDescription ggx(double alpha) { return test::describe("ggx", alpha); }
 
 double baked(const char* quantity, int column, double cosine) {
   const double alpha = std::pow(column / 31.0, 2);
