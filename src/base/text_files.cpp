@@ -159,8 +159,8 @@ void OutputFile::publish() {
 std::string read_text_file(const std::string& path, std::size_t most) {
   InputFile file(path);
   std::string text;
-  constexpr std::size_t step = 1 << 16;
   for (std::size_t size = 0;;) {
+    const std::size_t step = std::max<std::size_t>(4096, size);
     text.resize(size + step);
     const std::size_t count = file.read(text.data() + size, step);
     text.resize(size += count);

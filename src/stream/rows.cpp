@@ -81,8 +81,10 @@ bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") 
 bool RowReader::fill() {
   if (ended_) return false;
   const std::size_t size = rest_.size();
-  // A row that is longer than a block is looked through from its start with every piece that comes.
-  const std::size_t step = std::max(block_size_, size);
+  // A row that is longer than a block is looked through from its start with every piece that comes. A short file takes
+  // no more memory than it needs.
+  const std::size_t step = std::max(next_size_, size);
+  next_size_ = std::min(2 * next_size_, block_size_);
   rest_.resize(size + step);
   const std::size_t count = source_.read(rest_.data() + size, step);
   rest_.resize(size + count);

@@ -7,6 +7,7 @@
 
 #include "base/text_files.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -82,8 +83,9 @@ private:
 /// Cuts a stream at the ends of rows. Holds one incomplete row at most.
 class RowReader {
 public:
-  /// `block_size`: how much is asked of the source at once; what comes at once is a block.
-  RowReader(RowSource& source, std::size_t block_size) : source_(source), block_size_(block_size) {}
+  /// `block_size`: how much is asked of the source at once, after less at first; what comes at once is a block.
+  RowReader(RowSource& source, std::size_t block_size)
+      : source_(source), block_size_(block_size), next_size_(std::min<std::size_t>(4096, block_size)) {}
 
   /// The first row that is not blank, without its end: the header. Empty at the end of the file.
   std::string header();
@@ -97,6 +99,7 @@ private:
 
   RowSource& source_;
   std::size_t block_size_;
+  std::size_t next_size_;
   std::string rest_; ///< read, but not yet handed out
   std::size_t line_ = 1;
   std::size_t header_line_ = 1;

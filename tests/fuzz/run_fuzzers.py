@@ -26,7 +26,7 @@ LIMITS = ["-rss_limit_mb=2048", "-timeout=10", "-max_len=4096", "-print_final_st
 
 # The scratch file of a fuzzer is written at every execution: in memory, where the system has a folder of it.
 SHARED = Path("/dev/shm")
-ENVIRONMENT = os.environ | ({"TMPDIR": str(SHARED)} if os.access(SHARED, os.W_OK) else {})
+ENVIRONMENT = os.environ | {"ASAN_OPTIONS": "malloc_context_size=3"} | ({"TMPDIR": str(SHARED)} if os.access(SHARED, os.W_OK) else {})
 
 
 def run(folder, reader, arguments):
@@ -36,7 +36,8 @@ def run(folder, reader, arguments):
         path.mkdir(parents=True, exist_ok=True)
     before = set(findings.iterdir())
     corpora = [found, HERE / "corpus" / reader, *(SOURCE / "configs" / name for name in CONFIGS.get(reader, []))]
-    limit = [f"-runs={arguments.runs}"] if arguments.runs else [f"-max_total_time={arguments.seconds}"]
+    # Many runs: as many again in the same time without the counts of how rare each feature is.
+    limit = [f"-runs={arguments.runs}", "-entropic=0"] if arguments.runs else [f"-max_total_time={arguments.seconds}"]
     done = subprocess.run([folder / f"fuzz-{reader}", *LIMITS, *limit, f"-artifact_prefix={findings}/",
                            *(str(path) for path in corpora)], env=ENVIRONMENT, capture_output=True, text=True, errors="replace", check=False)
     count = re.search(r"stat::number_of_executed_units: *(\d+)", done.stderr)
