@@ -231,6 +231,43 @@ TEST_CASE("diffuse terms: a row is the same to the last bit alone and in a batch
   kernels::use_isa(before);
 }
 
+TEST_CASE("diffuse terms: disney_sheen keeps its digits where it vanishes, and is 0 for o = i") {
+  const Material m = build(describe_term("disney_sheen", {{"color", 0.8}}));
+  const kernels::Isa before = kernels::active_isa();
+  double worst = 0;
+  for (const auto& [o, i] : pairs()) {
+    // 1 - l.h = |o - i|^2 / (4 (1 + l.h)).
+    const Real x = Real(o.x) - i.x, y = Real(o.y) - i.y, z = Real(o.z) - i.z, apart = x * x + y * y + z * z;
+    if (apart > 0 && apart < 1e-14) continue;
+    const Real exact = real(0.8) * fifth_of(apart / (4 + 4 * cosines(o, i).lh));
+    for (const kernels::Isa isa : kernels::available_isas()) {
+      kernels::use_isa(isa);
+      const Real error = test::value(m, Quantity::brdf, o, i) - exact;
+      worst = std::fmax(worst, apart > 0 ? std::fabs(static_cast<double>(error / exact)) : error == 0 ? 0 : infinity);
+    }
+    kernels::use_isa(before);
+  }
+  CHECK(worst <= 5e-15);
+}
+
+TEST_CASE("diffuse terms: those without a fused operation have the same bytes on every instruction set") {
+  const kernels::Isa before = kernels::active_isa();
+  for (const Material& m : {build(describe_term("lambert", {{"albedo", 0.3}})),
+                            build(describe_term("fresnel_lambert", {{"albedo", 0.3}, {"f0", 0.1}})),
+                            build(describe_term("shirley", {{"albedo", 0.3}, {"f0", 0.1}})),
+                            build(describe_term("oren_nayar", {{"sigma", 0.3}, {"form", std::string("qualitative")}}))})
+    for (const Quantity q : {Quantity::brdf, Quantity::brdf_cos})
+      for (const auto& [o, i] : pairs()) {
+        kernels::use_isa(kernels::Isa::baseline);
+        const double expected = value(m, q, o, i);
+        for (const kernels::Isa isa : kernels::available_isas()) {
+          kernels::use_isa(isa);
+          REQUIRE(value(m, q, o, i) == expected);
+        }
+      }
+  kernels::use_isa(before);
+}
+
 TEST_CASE("diffuse terms: rho cos where rho itself is too large for a number") {
   const auto alone = [](const std::string& type, const std::vector<std::pair<std::string, Value>>& values) {
     return build(describe_term(type, values));

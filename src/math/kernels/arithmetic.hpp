@@ -127,21 +127,7 @@ template <class T>
 BRDFPLOT_INLINE T times(T x, T k, T k_low) {
   return multiply_add(x, k, x * k_low);
 }
-/// The root of x in [0, 4], relative error below 2^-51; of subnormal x something of their size. Where a loop waits for
-/// the unit of roots and divisions, `root` takes longer. The first guess halves the exponent (Lomont 2003), within
-/// 3.5 %; two steps of fourth order make of that 7e-6 and 1e-20.
-BRDFPLOT_INLINE double pipelined_root(double x) {
-  double y = from_bits<double>(0x5fe6eb50c7b537a9 - (bits(x) >> 1));
-  BRDFPLOT_UNROLL
-  for (int step = 0; step < 2; ++step) {
-    const double e = residual(1.0, x * y, y);
-    y = multiply_add(y * e, multiply_add(e, multiply_add(e, 0.3125, 0.375), 0.5), y);
-  }
-  return x * y;
-}
 #else
-BRDFPLOT_INLINE double pipelined_root(double x) { return root(x); }
-
 /// Without the instruction a fused multiply-add is a function call; two roundings then have to do.
 template <class T>
 BRDFPLOT_INLINE T multiply_add(T x, T y, T z) {

@@ -37,8 +37,8 @@ struct FlatParameters {
 
 /// Writes the sum of factors times parts into each of `channels` (1 or 3) arrays; 0 where a direction is at or below
 /// the horizon. Each part is right within some roundings of what it is at its largest; where w = l it is finite
-/// wherever it is determined. All but velvet, uncharted2, fujii, eon and oren_nayar give the same bytes on every
-/// instruction set.
+/// wherever it is determined; sheen within some roundings of itself where |o - i| > 1e-7. constant, through_normal,
+/// through_both and oren_nayar_qualitative give the same bytes on every instruction set.
 void flat_brdf(FlatTerm term, const FlatParameters& parameters, Vectors<double> o, Vectors<double> i, bool times_cosine,
                int channels, double* const* out, std::size_t n);
 
