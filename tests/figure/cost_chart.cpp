@@ -1,8 +1,12 @@
 #include "figure/cost_chart.hpp"
 
+#include "draw/text.hpp"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <regex>
 
 using namespace brdfplot::plot;
 
@@ -77,4 +81,32 @@ TEST_CASE("cost chart: points that lie on each other are one dot with their name
                  {"s", 20, 1e-3, false, "a"}, {"t", 20, 1e-3, false, "a"},     {"u", 20, 1e-3, false, "a"}};
   const std::string svg = to_svg(cost_figure({same}, "chart", "", ""));
   for (const char* name : {">p, q<", ">r<", ">s … u<"}) CHECK(count(svg, name) == 1);
+}
+
+TEST_CASE("cost chart: names for which there is no room without crossing have one with it") {
+  CostChart crowded = chart();
+  crowded.points.clear();
+  int k = 0;
+  for (const double cost : {52, 26, 58, 29, 48, 24, 36, 18, 88})
+    crowded.points.push_back({"a_rather_long_name_" + std::to_string(k++) + " (3e+04)", cost, 10, cost < 20, "a"});
+  crowded.points.push_back({"far", 286440, 2e-4, true, "b"});
+  CHECK(count(to_svg(cost_figure({crowded}, "chart", "", "")), ">a_rather_long_name_") == 9);
+}
+
+TEST_CASE("cost chart: what is said of the hidden stays on the page, however long") {
+  for (std::size_t length = 1; length < 120; ++length) {
+    CAPTURE(length);
+    CostChart hidden = chart();
+    hidden.points[4].name = "n " + std::string(length, 'w');
+    const std::string svg = to_svg(cost_figure({hidden}, "chart", "", ""));
+    const std::regex middle("<text class=\"bp-muted\" x=\"([0-9.]+)\"[^>]*font-size=\"([0-9.]+)\"[^>]*"
+                            "text-anchor=\"middle\"[^>]*>([^<]*)</text>");
+    std::size_t lines = 0;
+    for (std::sregex_iterator line(svg.begin(), svg.end(), middle), end; line != end; ++line, ++lines) {
+      const double x = std::stod((*line)[1]), half = text_width((*line)[3].str(), std::stod((*line)[2])) / 2;
+      CHECK(x - half >= 0);
+      CHECK(x + half <= 640);
+    }
+    CHECK(lines > 0);
+  }
 }
