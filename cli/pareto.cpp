@@ -11,6 +11,7 @@
 #include "config/load.hpp"
 #include "config/pareto_json.hpp"
 #include "draw/html/page.hpp"
+#include "draw/text.hpp"
 #include "figure/pareto_figure.hpp"
 #include "models/parameters.hpp"
 #include "render.hpp"
@@ -145,6 +146,13 @@ std::string tables(const std::vector<choice::ProblemResult>& results, const Mach
   return out;
 }
 
+/// The cells for a page, where the names of methods are no markup.
+std::vector<std::vector<std::string>> page_cells(const choice::ProblemResult& result) {
+  auto cells = pareto_cells(result);
+  for (auto& row : cells) row[0] = plot::literal_label(row[0]);
+  return cells;
+}
+
 /// The files of one folder.
 std::vector<NamedText> files_of(const std::vector<choice::ProblemResult>& results, const Machine& machine) {
   std::vector<NamedText> files;
@@ -164,8 +172,7 @@ std::vector<NamedText> files_of(const std::vector<choice::ProblemResult>& result
     if (result.has_costs()) add_chart(result, plot::pareto_figure(result));
     if (machine) add_chart(result, plot::pareto_figure(result, *machine));
     page.entries.push_back({result.problem.name, result.problem.doc, result.problem.doc + ": all methods",
-                            result.problem.source, "", choice::pareto_csv({result}), "", choice::pareto_cells(result),
-                            0});
+                            result.problem.source, "", choice::pareto_csv({result}), "", page_cells(result), 0});
   }
   files.push_back({"pareto.csv", choice::pareto_csv(results)});
   if (machine) files.push_back({"times.csv", choice::times_csv(results, *machine)});

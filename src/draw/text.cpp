@@ -173,6 +173,16 @@ std::string strip_markup(std::string_view label) {
   return out;
 }
 
+std::string literal_label(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (const char c : text) {
+    if (c == '_' || c == '^') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
 void append_escaped(std::string& out, std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto length = valid_length(text, i);

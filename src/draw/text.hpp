@@ -25,6 +25,9 @@ std::vector<Run> parse_markup(std::string_view label);
 /// The label as plain text that keeps `_` and `^`: only the braces of the markup and escaping backslashes go.
 std::string strip_markup(std::string_view label);
 
+/// The label that shows a text as it is: its `_` and `^` escaped.
+std::string literal_label(std::string_view text);
+
 /// Appends plain text escaped for XML and HTML, in element content or in a quoted attribute. Bytes that are not UTF-8
 /// and characters that XML forbids become U+FFFD, so that the result is well-formed whatever the text is.
 void append_escaped(std::string& out, std::string_view text);

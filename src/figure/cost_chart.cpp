@@ -1,5 +1,7 @@
 #include "figure/cost_chart.hpp"
 
+#include "draw/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,21 +51,11 @@ Series staircase(const std::vector<CostPoint>& points, const Axis& cost) {
   return series;
 }
 
-/// The name with its underscores and carets, which are no markup here.
-std::string literal(const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    if (c == '_' || c == '^') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 /// "not shown: a, b (error 0); c (no cost)"
 std::string words_of_hidden(const std::vector<CostPoint>& points) {
   std::string exact, infinite, costless;
   const auto append = [](std::string& list, const std::string& name) {
-    list += (list.empty() ? "" : ", ") + literal(name);
+    list += (list.empty() ? "" : ", ") + literal_label(name);
   };
   for (const auto& point : points) {
     if (is_shown(point)) continue;
@@ -129,7 +121,7 @@ Series dots_of(const std::vector<CostPoint>& points, const std::string& group, b
     if (point.group != group || point.on_front != on_front) continue;
     series.x.push_back(point.cost);
     series.y.push_back(point.error);
-    series.names.push_back(literal(point.name));
+    series.names.push_back(literal_label(point.name));
   }
   return series;
 }

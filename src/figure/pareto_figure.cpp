@@ -2,6 +2,7 @@
 
 #include "figure/cost_chart.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -77,7 +78,11 @@ std::string_view kind_word(choice::Kind kind) {
 }
 
 Figure pareto_figure(const choice::ProblemResult& result) {
-  return figure_of(result, choice::CostKind::counted, "_cost", "estimated cost");
+  Figure figure = figure_of(result, choice::CostKind::counted, "_cost", "estimated cost");
+  const auto portable = [](const choice::MethodResult& m) { return m.method.portable; };
+  if (!std::ranges::all_of(result.methods, portable))
+    figure.description += " Kernels of instruction sets are in the table alone.";
+  return figure;
 }
 
 Figure pareto_figure(const choice::ProblemResult& result, const choice::MachineRecord& machine) {

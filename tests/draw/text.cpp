@@ -95,6 +95,12 @@ TEST_CASE("long labels are wrapped, shrunk, and cut only where nothing else help
   CHECK(fit_text("", 16, 100, 1).lines.empty());
 }
 
+TEST_CASE("a literal label shows every character of a name") {
+  for (const std::string name : {"rational_2_float", "x^2_i", "v_cavity", "plain", "", "a_", "_b"})
+    CHECK(parse_markup(literal_label(name)) == (name.empty() ? Runs{} : Runs{{name, Level::base}}));
+  CHECK(html(literal_label("rational_2")) == "rational_2");
+}
+
 TEST_CASE("coordinates are short") {
   const auto fixed = [](double value) {
     std::string out;

@@ -1,8 +1,12 @@
 #include "figure/cost_chart.hpp"
 
+#include "draw/text.hpp"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <regex>
 
 using namespace brdfplot::plot;
 
@@ -69,6 +73,7 @@ TEST_CASE("cost chart: names of points that lie near each other do not cover eac
     crowded.points.push_back({"point_" + std::to_string(k), 10 * std::pow(1.04, k), 1e-3, k == 0, "a"});
   const std::string svg = to_svg(cost_figure({crowded}, "chart", "", ""));
   CHECK(count(svg, ">point_") == 14);
+  CHECK(count(svg, "<title>point_") == 0); // one that has no room
 }
 
 TEST_CASE("cost chart: points that lie on each other are one dot with their names") {
@@ -77,4 +82,46 @@ TEST_CASE("cost chart: points that lie on each other are one dot with their name
                  {"s", 20, 1e-3, false, "a"}, {"t", 20, 1e-3, false, "a"},     {"u", 20, 1e-3, false, "a"}};
   const std::string svg = to_svg(cost_figure({same}, "chart", "", ""));
   for (const char* name : {">p, q<", ">r<", ">s … u<"}) CHECK(count(svg, name) == 1);
+}
+
+TEST_CASE("cost chart: names for which there is no room without crossing lines have one with it") {
+  // The errors of the second factor of GGX's albedo.
+  CostChart crowded = chart();
+  crowded.points = {{"materialx", 52, 0.02401, false, "a"},
+                    {"materialx_float", 26, 0.02401, true, "a"},
+                    {"unreal", 58, 0.05564, false, "a"},
+                    {"unreal_float", 29, 0.05564, false, "a"},
+                    {"lazarov_2013", 48, 0.2618, false, "a"},
+                    {"lazarov_2013_float", 24, 0.2618, false, "a"},
+                    {"karis_2014", 36, 0.08487, false, "a"},
+                    {"karis_2014_float", 18, 0.08487, true, "a"},
+                    {"table_8", 88, 0.09216, false, "b"},
+                    {"table_16", 88, 0.043, false, "b"},
+                    {"table_32", 88, 0.02831, false, "b"},
+                    {"quadrature_1e-2", 245520, 9.105e-10, true, "c"},
+                    {"quadrature_1e-4", 245520, 9.105e-10, false, "c"},
+                    {"quadrature_1e-6", 286440, 8.429e-10, false, "c"}};
+  const std::string svg = to_svg(cost_figure({crowded}, "chart", "", ""));
+  for (const CostPoint& point : crowded.points) {
+    CAPTURE(point.name);
+    CHECK(count(svg, point.name + "</text>") + count(svg, ">" + point.name + ", ") == 1);
+  }
+}
+
+TEST_CASE("cost chart: what is said of the hidden stays on the page, however long") {
+  for (std::size_t length = 1; length < 120; ++length) {
+    CAPTURE(length);
+    CostChart hidden = chart();
+    hidden.points[4].name = "n " + std::string(length, 'w');
+    const std::string svg = to_svg(cost_figure({hidden}, "chart", "", ""));
+    const std::regex middle("<text class=\"bp-muted\" x=\"([0-9.]+)\"[^>]*font-size=\"([0-9.]+)\"[^>]*"
+                            "text-anchor=\"middle\"[^>]*>([^<]*)</text>");
+    std::size_t lines = 0;
+    for (std::sregex_iterator line(svg.begin(), svg.end(), middle), end; line != end; ++line, ++lines) {
+      const double x = std::stod((*line)[1]), half = text_width((*line)[3].str(), std::stod((*line)[2])) / 2;
+      CHECK(x - half >= 0);
+      CHECK(x + half <= 640);
+    }
+    CHECK(lines > 0);
+  }
 }

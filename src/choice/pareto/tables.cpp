@@ -164,11 +164,12 @@ std::string front_line(const ProblemResult& result, CostKind cost, ErrorKind err
 std::string pareto_legend(bool times) {
   return std::string("cost: estimated, in multiply-adds of floats (a double counts twice). bytes: of tables.") +
          (times ? " ns:\nleast processor time of a value; ratio: against the reference." : "") +
-         " relative, ulp, absolute: the largest errors\nfound; where: of the absolute one.\n" +
+         " relative, ulp, absolute: the largest errors\nfound (none: no number somewhere); where: of the absolute "
+         "one.\n" +
          (times ? "front, timed: r, a: nothing is as cheap and as good in the relative or absolute error, by cost, by "
                   "time.\nTimes within 10 % and errors"
                 : "front: r, a: nothing is as cheap and as good in the relative or absolute error.\nErrors") +
-         " within 25 % of each other are not told apart.\n";
+         " within 25 % of each other are not told apart. Kernels of instruction sets are not compared by cost.\n";
 }
 
 } // namespace brdfplot::choice

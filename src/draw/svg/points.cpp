@@ -79,17 +79,22 @@ public:
   NamePlacer(const PanelPlan& plan, std::vector<NamedPoint>& points)
       : frame_(plan.plot), points_(points), lines_(line_corners(plan)) {}
 
-  void place(NamedPoint& point) const {
+  /// Puts the name where it meets no other. The lines to names meet neither names nor each other, or, with `may_cross`,
+  /// as few as can be.
+  void place(NamedPoint& point, bool may_cross) const {
     constexpr double on_a_line = 60;   // as good as being so much farther off
     constexpr double over_a_dot = 150; // whose name it would seem to be
+    constexpr double at_a_crossing = 90;
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : {0.0, 6.0, 14.0, 24.0, 36.0, 50.0, 65.0, 80.0, 95.0, 125.0, 160.0, 200.0}) {
       if (distance > least) return;
       for (int k = 0; k < directions; ++k) {
         const Box box = box_at(point, distance, 2 * std::numbers::pi * k / directions);
-        if (!is_free(box, point)) continue;
-        const double cost =
-            distance + 0.05 * k + (meets_line(box) ? on_a_line : 0) + (leads_over(box, point) ? over_a_dot : 0);
+        if (!is_free(box)) continue;
+        const auto crossings = static_cast<double>(crossings_of(box, point));
+        if (crossings > 0 && !may_cross) continue;
+        const double cost = distance + 0.05 * k + (meets_line(box) ? on_a_line : 0) +
+                            (leads_over(box, point) ? over_a_dot : 0) + at_a_crossing * crossings;
         if (cost >= least) continue;
         least = cost;
         point.place = box;
@@ -109,17 +114,24 @@ private:
             name_height};
   }
 
-  bool is_free(const Box& box, const NamedPoint& point) const {
+  /// Whether the box lies in the frame, and on no dot and no name.
+  bool is_free(const Box& box) const {
     if (box.x < frame_.x + 2 || box.right() > frame_.right() - 2 || box.y < frame_.y + 2 ||
         box.bottom() > frame_.bottom() - 2)
       return false;
-    const Point end = nearest_in(box, point.at);
     return std::ranges::none_of(points_, [&](const NamedPoint& other) {
-      if (box.touches(dot_box(other), 1)) return true;
+      return box.touches(dot_box(other), 1) || (other.place && box.touches(*other.place, 1));
+    });
+  }
+
+  /// How many names and lines to names the name and the line to it would meet.
+  std::ptrdiff_t crossings_of(const Box& box, const NamedPoint& point) const {
+    const Point end = nearest_in(box, point.at);
+    return std::ranges::count_if(points_, [&](const NamedPoint& other) {
       if (!other.place) return false;
-      if (box.touches(*other.place, 1) || crosses(point.at, end, *other.place)) return true;
       const Point other_end = nearest_in(*other.place, other.at);
-      return crosses(other.at, other_end, box) || cross(point.at, end, other.at, other_end);
+      return crosses(point.at, end, *other.place) || crosses(other.at, other_end, box) ||
+             cross(point.at, end, other.at, other_end);
     });
   }
 
@@ -159,7 +171,8 @@ void draw_dot(SvgWriter& svg, const NamedPoint& point) {
   if (hidden) svg.close_group();
 }
 
-/// One name after the other; those that find no room go first the next time.
+/// One name after the other; those that find no room go first the next time, and those that never do have lines that
+/// cross others.
 void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
   constexpr int most_rounds = 6;
   std::vector<NamedPoint> best;
@@ -169,7 +182,7 @@ void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
     for (auto& point : points) point.place.reset();
     const NamePlacer placer(plan, points);
     for (auto& point : points)
-      if (!point.name.empty()) placer.place(point);
+      if (!point.name.empty()) placer.place(point, false);
     const auto has_no_room = [](const NamedPoint& point) { return !point.place && !point.name.empty(); };
     const auto left = static_cast<std::size_t>(std::ranges::count_if(points, has_no_room));
     if (left < least_left) {
@@ -179,6 +192,9 @@ void place_names(const PanelPlan& plan, std::vector<NamedPoint>& points) {
     std::stable_partition(points.begin(), points.end(), has_no_room);
   }
   points = std::move(best);
+  const NamePlacer placer(plan, points);
+  for (auto& point : points)
+    if (!point.place && !point.name.empty()) placer.place(point, true);
 }
 
 } // namespace

@@ -54,11 +54,20 @@ void append_style(std::string& out, const FigurePlan& plan) {
   out += "<style>\n" + style.text() + "</style>\n";
 }
 
+/// Where a text over a panel has its middle: over that of the plot, or beside it where the text would reach farther
+/// than into half of the page's margin or of the gap between panels.
+double middle_of(const FittedText& text, const PanelPlan& panel) {
+  constexpr double overhang = std::min(page_margin, column_gap) / 2;
+  const double half = text.width() / 2, middle = panel.plot.x + panel.plot.w / 2;
+  const double least = panel.plot.x - panel.insets.left - overhang + half;
+  const double most = panel.plot.right() + panel.insets.right + overhang - half;
+  return least < most ? std::clamp(middle, least, most) : (least + most) / 2;
+}
+
 void draw_head(SvgWriter& svg, const PanelPlan& panel) {
-  const double middle = panel.plot.x + panel.plot.w / 2;
-  svg.lines({middle, panel.title_top}, panel.title, Anchor::middle);
+  svg.lines({middle_of(panel.title, panel), panel.title_top}, panel.title, Anchor::middle);
   const double title = panel.title.lines.empty() ? 0 : panel.title.height() + 4;
-  svg.lines({middle, panel.title_top + title}, panel.note, Anchor::middle, "bp-muted");
+  svg.lines({middle_of(panel.note, panel), panel.title_top + title}, panel.note, Anchor::middle, "bp-muted");
   draw_legend(svg, panel.legend, {panel.plot.x - panel.insets.left + 4, panel.legend_top});
 }
 
