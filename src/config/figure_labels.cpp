@@ -1,6 +1,7 @@
 #include "config/figure_labels.hpp"
 
 #include "base/number.hpp"
+#include "draw/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +10,6 @@
 namespace brdfplot::config {
 
 namespace {
-
-/// Names are not markup.
-std::string literal(const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    if (c == '_' || c == '^') out += '\\';
-    out += c;
-  }
-  return out;
-}
 
 bool is_angle(const std::string& variable) { return variable.starts_with("theta_") || variable.starts_with("phi_"); }
 
@@ -31,7 +22,7 @@ std::string text_of(const plot::Setting& setting) {
   struct Visitor {
     const std::string& variable;
     std::string operator()(double x) const { return is_angle(variable) ? degrees_text(x) : format_number(x); }
-    std::string operator()(const std::string& text) const { return literal(text); }
+    std::string operator()(const std::string& text) const { return plot::literal_label(text); }
     std::string operator()(const plot::Tie& tie) const {
       std::string out = (tie.sign < 0 ? "−" : "") + symbol(tie.to);
       if (tie.offset > 0) out += " + " + degrees_text(tie.offset);
@@ -66,15 +57,15 @@ std::string symbol(const std::string& variable) {
   const auto underscore = variable.find('_');
   const std::string base = variable.substr(0, underscore);
   const auto found = std::ranges::find(letters, base, &std::pair<std::string, std::string>::first);
-  if (found == letters.end()) return literal(variable);
+  if (found == letters.end()) return plot::literal_label(variable);
   if (underscore == std::string::npos) return found->second;
   const std::string below = variable.substr(underscore + 1);
   return found->second + "_" + (below.size() == 1 ? below : "{" + below + "}");
 }
 
 void add_traits(Traits& traits, const plot::Term& term, const Scope& scope) {
-  add(traits, "material", literal(scope.material_name));
-  add(traits, "quantity", literal(term.quantity));
+  add(traits, "material", plot::literal_label(scope.material_name));
+  add(traits, "quantity", plot::literal_label(term.quantity));
   for (auto setting = term.at.begin(); setting != term.at.end(); ++setting) {
     const auto again = std::find_if(setting + 1, term.at.end(),
                                     [&](const plot::Setting& later) { return later.variable == setting->variable; });
