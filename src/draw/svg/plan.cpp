@@ -14,7 +14,6 @@ namespace brdfplot::plot {
 
 namespace {
 
-constexpr double column_gap = 14;
 constexpr double row_gap = 14;
 
 /// An id that is valid in XML, CSS and URLs.

@@ -76,6 +76,7 @@ struct FigurePlan {
 };
 
 inline constexpr double page_margin = 14;
+inline constexpr double column_gap = 14;
 
 /// Measures and places all parts of a figure.
 FigurePlan plan_figure(const Figure& figure, const Layout& layout);
