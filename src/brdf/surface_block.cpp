@@ -31,6 +31,16 @@ template <class M>
 void mask_mixture(const Mixture& mixture, const M& masking, const SurfaceBlock& block, const Columns& omega,
                   MaskedSide& side);
 
+/// o.h = i.h = |o + i| / 2 of unit vectors. Near grazing, where o + i is short, the rounding of h would be much of o.h
+/// as a product.
+void half_cosines(const Columns& o, const Columns& i, Buffer& out, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) {
+    const Direction one = o[k], other = i[k];
+    const double x = one.x + other.x, y = one.y + other.y, z = one.z + other.z;
+    out[k] = 0.5 * std::sqrt(x * x + y * y + z * z);
+  }
+}
+
 /// The masked or the unmasked area of one side, whose c and s are known.
 template <class D, class M>
 void mask_by(const D& distribution, const M& masking, const SurfaceBlock& block, const Columns& omega,
@@ -50,7 +60,10 @@ void mask_by(const D& distribution, const M& masking, const SurfaceBlock& block,
       side.masked_area[k] = masking.masked_area({std::fabs(side.c[k]), side.s[k]}, omega[k]) + std::fmax(-side.c[k], 0);
   } else {
     Buffer facing;
-    kernels::careful_dots(vectors(omega), vectors(block.m), facing.data(), n);
+    if (block.has_half)
+      half_cosines(block.o, block.i, facing, n);
+    else
+      kernels::careful_dots(vectors(omega), vectors(block.m), facing.data(), n);
     for (std::size_t k = 0; k < n; ++k)
       side.unmasked_area[k] =
           facing[k] > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing[k], block.m.z[k]) : 1;
