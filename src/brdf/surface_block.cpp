@@ -32,7 +32,7 @@ void mask_mixture(const Mixture& mixture, const M& masking, const SurfaceBlock& 
                   MaskedSide& side);
 
 /// o.h = i.h = |o + i| / 2 of unit vectors. Near grazing, where o + i is short, the rounding of h would be much of o.h
-/// as a product.
+/// as a product. Relative error a few roundings and those of the components of o and i over |o + i|.
 void half_cosines(const Columns& o, const Columns& i, Buffer& out, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     const Direction one = o[k], other = i[k];
