@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace brdfplot {
@@ -39,19 +40,22 @@ std::vector<Rectangle> RayCharts::rectangles() {
     }
   }
   std::ranges::sort(cuts);
+  std::ranges::sort(overlooked_);
+  sectors_.clear();
   std::vector<Rectangle> all;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) add_sectors(cuts[k], cuts[k + 1], all);
+  overlooked_.clear();
   return all;
 }
 
 void RayCharts::operator()(std::size_t chart, std::span<const double> x, std::span<const double> psi,
                            ChartPoints& points) {
   const std::size_t part = chart % most_parts;
-  const Ends& typical = sectors_[chart / most_parts];
+  const Sector& sector = sectors_[chart / most_parts];
   const double copies = symmetric_ ? 2 : 1;
   for (std::size_t first = 0; first < x.size();) { // ray by ray
     const double azimuth = psi[first];
-    const Ends& ends = ends_in_sector(typical, azimuth);
+    const Ends& ends = ends_in_sector(sector, azimuth);
     const End& begin = ends[part];
     const End& end = ends[part + 1];
     const bool last = part + 2 == ends.size();
@@ -96,6 +100,9 @@ void RayCharts::add_sectors(double from, double to, std::vector<Rectangle>& all)
   constexpr int count = 48;
   for (int k = 0; k < count; ++k) probes.push_back(from + (to - from) * (k + 0.5) / count);
   probes.push_back(to - 1e-10 * (to - from));
+  const auto known = [&](double psi) { return psi > probes.front() && psi < to - 1e-10 * (to - from); };
+  std::ranges::copy_if(overlooked_, std::back_inserter(probes), known);
+  std::ranges::sort(probes);
   double begin = from;
   double low = probes.front();
   auto below = crossed(low);
@@ -104,7 +111,7 @@ void RayCharts::add_sectors(double from, double to, std::vector<Rectangle>& all)
     for (std::size_t part = 0; part < parts; ++part)
       all.push_back({0, 1, begin, end, sectors_.size() * most_parts + part});
     const Ends middle = rays_.at(0.5 * (begin + end)), beside = rays_.at(last);
-    sectors_.push_back(is_like(middle, beside) ? middle : beside);
+    sectors_.push_back({begin, end, is_like(middle, beside) ? middle : beside});
     begin = end;
   };
   for (const double probe : probes) {
@@ -128,9 +135,12 @@ void RayCharts::add_sectors(double from, double to, std::vector<Rectangle>& all)
 /// what is missing is put where typical rays have it, so that each part is nearly the same from ray to ray. (Were
 /// parts counted from the centre, one would take from the next where a crossing comes in between; these are
 /// integrated by rules of their own, of which one might see it and the other not.)
-const CutRays::Ends& RayCharts::ends_in_sector(const Ends& typical, double psi) {
+const CutRays::Ends& RayCharts::ends_in_sector(const Sector& sector, double psi) {
   const Ends& own = rays_.at(psi);
+  const Ends& typical = sector.typical;
   if (is_like(own, typical)) return own;
+  const double beside = 1e-9 * (sector.end - sector.begin);
+  if (psi > sector.begin + beside && psi < sector.end - beside) overlooked_.push_back(psi);
   matched_ = {own.front()};
   const double scale = own.back().z / typical.back().z;
   for (std::size_t k = 1; k + 1 < typical.size(); ++k) {

@@ -23,22 +23,30 @@ public:
 
   /// All of the plane, in x across a part and in y = psi.
   std::vector<Rectangle> rectangles();
+  /// Whether rays were asked for, since the last call of rectangles(), that cross other switches than their sector
+  /// does: it then holds a narrow one that was overlooked, which the next call of rectangles() cuts out.
+  bool has_overlooked() const { return !overlooked_.empty(); }
   void operator()(std::size_t chart, std::span<const double> x, std::span<const double> psi, ChartPoints& points);
 
 private:
   using End = CutRays::End;
   using Ends = CutRays::Ends;
+  struct Sector {
+    double begin, end; ///< in psi
+    Ends typical;      ///< the ends of a typical ray
+  };
   static constexpr std::size_t most_parts = 1024; ///< of a ray; charts are numbered sector * most_parts + part
 
   std::vector<std::size_t> crossed(double psi);
   void add_sectors(double from, double to, std::vector<Rectangle>& all);
-  const Ends& ends_in_sector(const Ends& typical, double psi);
+  const Ends& ends_in_sector(const Sector& sector, double psi);
 
   const SlopeFrame& frame_;
   CutRays rays_;
   bool symmetric_;
   bool kink_in_plane_;
-  std::vector<Ends> sectors_; ///< the ends of a typical ray of each
+  std::vector<Sector> sectors_;
+  std::vector<double> overlooked_; ///< psi of rays that are not like their sector's
   Ends matched_;
 };
 

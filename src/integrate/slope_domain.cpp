@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace brdfplot {
 
@@ -91,6 +92,23 @@ private:
   double copies_;
 };
 
+/// Over rays. Where nodes came upon sectors that were overlooked, once more with these cut out.
+ColourEstimate integrate_rays(const SlopeFrame& frame, const NormalIntegrand& f, std::size_t channels,
+                              RayCharts& charts, double tolerance) {
+  std::vector<Rectangle> rectangles = charts.rectangles();
+  std::size_t evaluations = 0;
+  for (int times = 1;; ++times) {
+    ColourEstimate estimate = integrate_charts(frame, f, channels, charts, rectangles, tolerance);
+    evaluations += estimate.evaluations;
+    estimate.evaluations = evaluations;
+    constexpr int most_times = 3;
+    if (!charts.has_overlooked() || times == most_times) return estimate;
+    std::vector<Rectangle> finer = charts.rectangles();
+    if (finer.size() == rectangles.size()) return estimate;
+    rectangles = std::move(finer);
+  }
+}
+
 Estimate integrate_charts_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance) {
   if (f.switches.empty()) {
     FacingCharts charts(frame, f);
@@ -98,7 +116,7 @@ Estimate integrate_charts_facing(const SlopeFrame& frame, const FacingIntegrand&
   }
   const auto facing = [&](double cos_psi, double sin_psi) { return frame.facing(cos_psi, sin_psi); };
   RayCharts charts(frame, f.switches, facing, f.symmetric, false);
-  return integrate_charts(frame, f.value, 1, charts, charts.rectangles(), tolerance).channel(0);
+  return integrate_rays(frame, f.value, 1, charts, tolerance).channel(0);
 }
 
 } // namespace
@@ -120,7 +138,7 @@ Estimate integrate_facing(const SlopeFrame& frame, const FacingIntegrand& f, dou
 ColourEstimate integrate_lit(const SlopeFrame& frame, const LitIntegrand& f, double tolerance) {
   const auto lit = [&](double cos_psi, double sin_psi) { return frame.lit(cos_psi, sin_psi); };
   RayCharts charts(frame, f.switches, lit, f.symmetric, f.kink_in_plane_of_incidence);
-  return integrate_charts(frame, f.value, f.channels, charts, charts.rectangles(), tolerance);
+  return integrate_rays(frame, f.value, f.channels, charts, tolerance);
 }
 
 } // namespace brdfplot

@@ -22,11 +22,11 @@ using PlaneFunction =
 /// first rectangles; what is not smooth should lie on their edges. As in integrate(), halves that are far better than
 /// the whole was are not believed before another cut says the same.
 Estimate integrate_plane(const PlaneFunction& f, std::span<const Rectangle> rectangles, const Tolerance& tolerance,
-                         std::size_t max_evaluations = 400000);
+                         std::size_t max_evaluations = 500000);
 
 /// The same of `channels` functions at once, at most three: f writes channel c of point k to f[c n + k]. A rectangle
 /// is divided where any of them asks for it, and all meet the tolerance.
 ColourEstimate integrate_plane(const PlaneFunction& f, std::size_t channels, std::span<const Rectangle> rectangles,
-                               const Tolerance& tolerance, std::size_t max_evaluations = 400000);
+                               const Tolerance& tolerance, std::size_t max_evaluations = 500000);
 
 } // namespace brdfplot

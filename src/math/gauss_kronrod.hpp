@@ -28,33 +28,27 @@ struct GaussKronrod {
   static const GaussKronrod& rule();
 };
 
-/// What two rules say of one function on [-1, 1], or added up over several.
+/// What two rules say of one function on [-1, 1].
 struct RuleSums {
   double kronrod = 0;   ///< the integral
   double magnitude = 0; ///< of |f|
   double gap = 0;       ///< |Kronrod - Gauss|
   /// The largest coefficient of each group.
   double last = 0, next_to_last = 0, before = 0;
-
-  void add(const RuleSums& other, double weight) {
-    kronrod += weight * other.kronrod;
-    magnitude += weight * other.magnitude;
-    gap += weight * other.gap;
-    last += weight * other.last;
-    next_to_last += weight * other.next_to_last;
-    before += weight * other.before;
-  }
 };
 
 /// The error of Kronrod's rule, judged by how fast the Legendre coefficients c_d of f fall. Gauss's rule errs like
 /// c_2n, Kronrod's like c_(3n+2): both are guessed from the last coefficients, and from the difference of the rules, at
 /// the rate at which coefficients fell so far, over the last two degrees or the last five, whichever is slower. What
-/// falls like a power of d, as the coefficients of a kink do, gets little credit for converging, and nothing gets more
-/// than a factor `credit` below its last coefficients: a small part that falls slowly may just have come to light.
+/// falls like a power of d, as the coefficients of a kink do, gets little credit for converging. Nor is that rate
+/// believed without end: a small part that falls slowly may just have come to light. Then the rules differ by as much
+/// as the last coefficients are large, where smooth functions have them differ far less; what that makes one expect
+/// (with constants that were measured over random integrals), up to a tenth of the last coefficients, is a floor, and
+/// so is 1/400 of these.
 /// (QUADPACK judges by the size of the difference alone, and believes the rule where a small kink is left in a smooth
 /// function.) Never below 50 roundings.
 template <std::size_t N>
-double error_of(const RuleSums& sums, double credit = 30) {
+double error_of(const RuleSums& sums) {
   using Rule = GaussKronrod<N>;
   const double rounding = 50 * std::numeric_limits<double>::epsilon() * sums.magnitude;
   // The last ones may be small by accident: what those before make one expect counts too.
@@ -67,8 +61,9 @@ double error_of(const RuleSums& sums, double credit = 30) {
   const double rate = std::max(log_rate(2, sums.before, last, Rule::apart), log_rate(1.2, sums.next_to_last, last, 2));
   constexpr double from_gauss = Rule::gauss_count + 2;
   constexpr double from_last = Rule::exact_degree + 1 - (Rule::last_degree - 0.5);
+  const double slow = last > 0 ? std::min(last / 10, 3 * sums.gap * std::sqrt(sums.gap / last)) : 0;
   return std::max(
-      {sums.gap * std::exp(from_gauss * rate), 4 * last * std::exp(from_last * rate), last / credit, rounding});
+      {sums.gap * std::exp(from_gauss * rate), 4 * last * std::exp(from_last * rate), slow, last / 400, rounding});
 }
 
 /// The sum of f(0) ... f(N - 1) in four strands, which the processor adds at the same time.
