@@ -181,7 +181,13 @@ TEST_CASE("albedos with kinks that are part of a model") {
 
 TEST_CASE("albedos of rays that cross a kink in a narrow range of angles alone") {
   Tally tally;
-  for (const std::uint64_t number : {std::uint64_t{1975}}) tally.add(compare(*random_case(number), fine));
+  for (const std::uint64_t number : {1975U, 4070U}) tally.add(compare(*random_case(number), fine));
+  require_all_right(tally);
+}
+
+TEST_CASE("integrals of few rectangles, on some of whose lines coefficients fall slowly") {
+  Tally tally;
+  for (const std::uint64_t number : {1786U, 3750U, 5362U, 6497U}) tally.add(compare(*random_case(number), fine));
   require_all_right(tally);
 }
 
