@@ -12,6 +12,8 @@
 #include "integrate/visible_area.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -66,6 +68,24 @@ double narrowest_width(const Distribution& distribution) {
   return width;
 }
 
+/// What Eq. 36 has of facets so steep that omega_i does not tell them from horizontal ones: cos theta_h (o.h) is then
+/// no more than a few roundings. Those are, at azimuth phi from the viewer's, cos theta_h < z with z (c z + s |cos
+/// phi|) = 4 roundings of 1, or as much beyond the horizon of the viewer. `integrand` as it is beside them, as large as
+/// anywhere.
+double mass_of_steepest(const Direction& o, double c, const std::function<double(const Direction&)>& integrand) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  constexpr int count = 16;
+  const double s = std::hypot(o.x, o.y), viewer = std::atan2(o.y, o.x);
+  double sum = 0;
+  for (int k = 0; k < count; ++k) {
+    const double phi = (k + 0.5) * 2 * std::numbers::pi / count, along = s * std::cos(phi);
+    const double z = 2 * rounding / (std::fabs(along) + std::sqrt(along * along + 4 * c * rounding));
+    const double beside = std::min(1.0, 8 * z + std::max(0.0, -along) / c);
+    sum += z * integrand(from_angles(std::acos(beside), viewer + phi));
+  }
+  return 2 * std::numbers::pi / count * sum;
+}
+
 /// Eq. 36 over omega_i, with d omega_i = 4 (o.h) d omega_h: the half vector is found again from omega_i.
 Estimate weak_furnace(const Microsurface& surface, const Direction& o, double tolerance) {
   ViewerRows rows(o);
@@ -77,10 +97,15 @@ Estimate weak_furnace(const Microsurface& surface, const Direction& o, double to
     evaluate(surface, {Quantity::d, Quantity::g1}, batch, {density.data(), out.data()});
     for (std::size_t k = 0; k < h.size(); ++k) out[k] *= density[k] / (4 * c) * (4 * dot(o, h[k]));
   };
-  Estimate estimate = integrate_visible(surface, o, tolerance, integrand);
+  std::vector<double> one(1);
+  const double steepest = mass_of_steepest(o, c, [&](const Direction& h) {
+    integrand({h}, one);
+    return std::fabs(one[0]);
+  });
+  Estimate estimate = integrate_visible(surface, o, tolerance - std::min(steepest, 0.5 * tolerance), integrand);
   // o + i has a length of 2 o.h ~ 2 c, and the half vector that many roundings, of which D sees the ratio to its width.
-  estimate.error += 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) /
-                    (c * std::min(1.0, narrowest_width(surface.distribution)));
+  estimate.error += steepest + 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) /
+                                   (c * std::min(1.0, narrowest_width(surface.distribution)));
   return estimate;
 }
 

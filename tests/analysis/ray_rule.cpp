@@ -137,7 +137,9 @@ public:
     const Panels::Function along = [this](const auto& r, auto& out) { values(r, out); };
     Panels sum(along, tolerance_, evaluations);
     std::vector<double> edges = {0};
-    for (double r = 1.0 / 16; r < 0.5 * end; r *= r < 8 ? 2 : 8) edges.push_back(r);
+    // Near the viewer's horizon V-cavities begin to mask at slopes as small as cos theta.
+    for (double r = 0x1p-24; r < 0x1p-4 && r < 0.5 * end; r *= 32) edges.push_back(r);
+    for (double r = 0x1p-4; r < 0.5 * end; r *= r < 8 ? 2 : 8) edges.push_back(r);
     double gap = end - edges.back();
     for (int k = 0; k < 6 && gap > 0; ++k, gap *= 0.25) edges.push_back(end - 0.25 * gap);
     edges.push_back(end);
