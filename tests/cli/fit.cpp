@@ -158,7 +158,7 @@ void check_shaders(const Folder& folder, const Case& c) {
 } // namespace
 
 TEST_CASE("the code of a fit compiles, and its G1, Lambda and G2 are those of the material") {
-  for (const Case& c : sample_of(cases(), 3)) {
+  for (const Case& c : sample_of(cases(), 6)) {
     INFO(c.name);
     const Folder folder;
     make_fit(folder, c);

@@ -3,6 +3,7 @@
 // their definitions, Phong from the incomplete beta function at 120 digits, GTR, Phong's a Lambda and shapes from
 // 2 int p(a^2 + t^2) t^2 (1 - atan(t / a) a / t) dt, cut where the densities have their peaks.
 #include "../materials.hpp"
+#include "../sample.hpp"
 #include "analysis/integrals.hpp"
 
 #include <doctest/doctest.h>
@@ -59,7 +60,7 @@ TEST_CASE("sheen: Lambda where half of the power is a whole number, and the seri
 
 TEST_CASE("sheen: Lambda by its table is that by its integral, for every roughness and angle") {
   double worst = 0;
-  for (double alpha = 1e-6; alpha <= 1e6; alpha *= 4.7) {
+  for (double alpha = 1e-6; alpha <= 1e6; alpha *= inputs(4.7, 1e4)) {
     const Material m = material("sheen", alpha);
     const SheenProfile& profile = std::get<Sheen>(m.surface().distribution).profile;
     REQUIRE(profile.table);
