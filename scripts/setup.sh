@@ -3,7 +3,8 @@
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 
-step() { printf '==> %s\n' "$*"; }
+# Names a step, after the minutes since the script began.
+step() { printf '==> %d:%02d %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
 
 # doctest-dev and python3 are here because the release preset configures the tests too.
 build_packages=(g++ cmake ninja-build libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-dev libmuparser-dev
