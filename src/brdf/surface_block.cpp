@@ -11,26 +11,6 @@ namespace brdfplot {
 
 namespace {
 
-/// c Lambda or c / G1 of a formula, which are wanted where the direction is above the mesosurface and sees the facet.
-void mask_by_formula(const CustomMasking& masking, const SlopeMap& map, const SurfaceBlock& block, const Columns& omega,
-                     MaskedSide& side) {
-  for (std::size_t k = 0; k < block.n; ++k) {
-    const Projection p{side.c[k], side.s[k]};
-    const Direction direction = omega[k], m = block.m[k];
-    side.unmasked_area[k] = 1;
-    side.masked_area[k] = 0;
-    if (!(p.c > 0)) continue;
-    if (masking.has_lambda)
-      side.masked_area[k] = masking.masked_area(map, p, direction);
-    else if (dot(direction, m) > 0 && m.z > 0)
-      side.unmasked_area[k] = masking.unmasked_area(map, p, direction, m);
-  }
-}
-
-template <class M>
-void mask_mixture(const Mixture& mixture, const M& masking, const SurfaceBlock& block, const Columns& omega,
-                  MaskedSide& side);
-
 /// o.h = i.h = |o + i| / 2 of unit vectors. Near grazing, where o + i is short, the rounding of h would be much of o.h
 /// as a product. Relative error a few roundings and those of the components of o and i over |o + i|.
 void half_cosines(const Columns& o, const Columns& i, Buffer& out, std::size_t n) {
@@ -40,6 +20,36 @@ void half_cosines(const Columns& o, const Columns& i, Buffer& out, std::size_t n
     out[k] = 0.5 * std::sqrt(x * x + y * y + z * z);
   }
 }
+
+/// omega.m of the facets, omega one of the block's directions.
+void compute_facing(const SurfaceBlock& block, const Columns& omega, Buffer& out) {
+  if (block.has_half)
+    half_cosines(block.o, block.i, out, block.n);
+  else
+    kernels::careful_dots(vectors(omega), vectors(block.m), out.data(), block.n);
+}
+
+/// c Lambda or c / G1 of a formula, which are wanted where the direction is above the mesosurface and sees the facet.
+void mask_by_formula(const CustomMasking& masking, const SlopeMap& map, const SurfaceBlock& block, const Columns& omega,
+                     MaskedSide& side) {
+  Buffer facing;
+  if (!masking.has_lambda) compute_facing(block, omega, facing);
+  for (std::size_t k = 0; k < block.n; ++k) {
+    const Projection p{side.c[k], side.s[k]};
+    const Direction direction = omega[k], m = block.m[k];
+    side.unmasked_area[k] = 1;
+    side.masked_area[k] = 0;
+    if (!(p.c > 0)) continue;
+    if (masking.has_lambda)
+      side.masked_area[k] = masking.masked_area(map, p, direction);
+    else if (facing[k] > 0 && m.z > 0)
+      side.unmasked_area[k] = masking.unmasked_area(map, p, direction, m, facing[k]);
+  }
+}
+
+template <class M>
+void mask_mixture(const Mixture& mixture, const M& masking, const SurfaceBlock& block, const Columns& omega,
+                  MaskedSide& side);
 
 /// The masked or the unmasked area of one side, whose c and s are known.
 template <class D, class M>
@@ -60,10 +70,7 @@ void mask_by(const D& distribution, const M& masking, const SurfaceBlock& block,
       side.masked_area[k] = masking.masked_area({std::fabs(side.c[k]), side.s[k]}, omega[k]) + std::fmax(-side.c[k], 0);
   } else {
     Buffer facing;
-    if (block.has_half)
-      half_cosines(block.o, block.i, facing, n);
-    else
-      kernels::careful_dots(vectors(omega), vectors(block.m), facing.data(), n);
+    compute_facing(block, omega, facing);
     for (std::size_t k = 0; k < n; ++k)
       side.unmasked_area[k] =
           facing[k] > 0 ? masking.unmasked_area({side.c[k], side.s[k]}, facing[k], block.m.z[k]) : 1;

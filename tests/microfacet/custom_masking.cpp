@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 using namespace test;
 
 namespace {
@@ -42,6 +45,18 @@ TEST_CASE("a formula of G1 may depend on the normal") {
           value_at_normal(built_in, Quantity::g1, o, from_angles(1.5, 3.5))); // faces away
   }
   CHECK(value_at_normal(custom, Quantity::g1, {1, 0, 0}, from_angles(0.5, 0)) == 0);
+}
+
+TEST_CASE("a formula of o.m has its digits where both directions graze") {
+  const Material built_in = build(describe("ggx", 0.5, "kelemen"));
+  const Material custom = build(with_formula(describe("ggx", 0.5), "g1", "cos_theta / o_dot_m"));
+  for (const double c : {1e-3, 1e-8, 1e-12}) {
+    const double s = std::sqrt((1 - c) * (1 + c));
+    const auto at = [&](double phi) { return Direction{s * std::cos(phi), s * std::sin(phi), c}; };
+    const Direction o = at(0.4), i = at(0.4 + std::numbers::pi + 0.7 * c);
+    CHECK(evaluate(custom, Quantity::g1, o, i, std::nullopt) ==
+          doctest::Approx(evaluate(built_in, Quantity::g1, o, i, std::nullopt)).epsilon(1e-14));
+  }
 }
 
 TEST_CASE("phi does not know the sign of a zero") {

@@ -86,7 +86,7 @@ double CustomMasking::masked_area(const SlopeMap& map, const Projection& p, cons
 }
 
 double CustomMasking::unmasked_area(const SlopeMap& map, const Projection& p, const Direction& omega,
-                                    const Direction& omega_m) const {
+                                    const Direction& omega_m, double o_dot_m) const {
   const auto values = values_of(map, p, omega);
   std::array<double, 13> all{};
   std::copy(values.begin(), values.end(), all.begin());
@@ -94,7 +94,7 @@ double CustomMasking::unmasked_area(const SlopeMap& map, const Projection& p, co
   all[9] = std::atan2(across, omega_m.z);
   all[10] = across > 0 ? std::atan2(omega_m.y + 0.0, omega_m.x) : 0;
   all[11] = omega_m.z;
-  all[12] = dot(omega, omega_m);
+  all[12] = o_dot_m;
   return p.c / number_or_throw(*g1, (*g1)(all), values);
 }
 

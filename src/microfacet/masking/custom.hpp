@@ -22,9 +22,10 @@ struct CustomMasking {
   /// c Lambda; with a formula of Lambda. Domain c > 0.
   /// \throws InputError where the formula is not a number, as `lambda` of 0 * infinity is.
   double masked_area(const SlopeMap& map, const Projection& p, const Direction& omega) const;
-  /// c / G1; with a formula of G1. Domain c > 0, omega.m > 0, z_m > 0. \throws InputError as masked_area().
-  double unmasked_area(const SlopeMap& map, const Projection& p, const Direction& omega,
-                       const Direction& omega_m) const;
+  /// c / G1; with a formula of G1. `o_dot_m`: omega.m, which near grazing has digits that a half vector omega_m has
+  /// lost. Domain c > 0, omega.m > 0, z_m > 0. \throws InputError as masked_area().
+  double unmasked_area(const SlopeMap& map, const Projection& p, const Direction& omega, const Direction& omega_m,
+                       double o_dot_m) const;
 };
 
 } // namespace brdfplot
