@@ -70,8 +70,8 @@ double narrowest_width(const Distribution& distribution) {
 
 /// What Eq. 36 has of facets so steep that omega_i does not tell them from horizontal ones: cos theta_h (o.h) is then
 /// no more than a few roundings. Those are, at azimuth phi from the viewer's, cos theta_h < z with z (c z + s |cos
-/// phi|) = 4 roundings of 1, or as much beyond the horizon of the viewer. `integrand` as it is beside them, as large as
-/// anywhere.
+/// phi|) = 4 roundings of 1, or as much beyond the horizon of the viewer; c is that of the mesosurface, which stands
+/// for o_z. `integrand` as it is beside them, as large as anywhere. An estimate, not a bound.
 double mass_of_steepest(const Direction& o, double c, const std::function<double(const Direction&)>& integrand) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   constexpr int count = 16;

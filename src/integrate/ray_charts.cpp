@@ -40,7 +40,6 @@ std::vector<Rectangle> RayCharts::rectangles() {
     }
   }
   std::ranges::sort(cuts);
-  std::ranges::sort(overlooked_);
   sectors_.clear();
   std::vector<Rectangle> all;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) add_sectors(cuts[k], cuts[k + 1], all);

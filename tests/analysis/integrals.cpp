@@ -98,7 +98,7 @@ TEST_CASE("Eq. 36 of facets so steep that the light's direction does not tell th
   // Kelemen's masking sees all of them at the normal: int D dm, where velvet has most at the horizon. By mpmath, 25
   // digits.
   const Estimate e = compute(Integral::weak_furnace, material("velvet", 0.026506265850014823, "kelemen"), {0, 0, 1});
-  CHECK(std::fabs(e.value - 2.181825883830424) > 1e-8);
+  CHECK(std::fabs(e.value - 2.181825883830424) > 1e-8); // what is missed today: the estimate has something to say
   CHECK(std::fabs(e.value - 2.181825883830424) <= e.error);
 }
 
