@@ -68,19 +68,21 @@ double narrowest_width(const Distribution& distribution) {
   return width;
 }
 
-/// What Eq. 36 has of facets so steep that omega_i does not tell them from horizontal ones: cos theta_h (o.h) is then
-/// no more than a few roundings. Those are, at azimuth phi from the viewer's, cos theta_h < z with z (c z + s |cos
-/// phi|) = 4 roundings of 1, or as much beyond the horizon of the viewer; c is that of the mesosurface, which stands
-/// for o_z. `integrand` as it is beside them, as large as anywhere. An estimate, not a bound.
+/// What Eq. 36 has of facets so steep that omega_i does not tell them from horizontal ones. omega_i + omega_o is 2
+/// cos theta_h (o.h) along the normal, and rounds to 0 where that is below half a unit in the last place of 1, or
+/// 2^-54: cos theta_h (o.h) < 2^-55. Twice that is taken here: at azimuth phi from the viewer's, cos theta_h < z with
+/// z (c z + s |cos phi|) = 2^-54, or as much beyond the horizon of the viewer; c is that of the mesosurface, which
+/// stands for o_z. `integrand` as it is beside them, as large as anywhere. An estimate, not a bound.
 double mass_of_steepest(const Direction& o, double c, const std::function<double(const Direction&)>& integrand) {
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
   constexpr int count = 16;
   const double s = std::hypot(o.x, o.y), viewer = std::atan2(o.y, o.x);
   double sum = 0;
   for (int k = 0; k < count; ++k) {
     const double phi = (k + 0.5) * 2 * std::numbers::pi / count, along = s * std::cos(phi);
     const double z = 2 * rounding / (std::fabs(along) + std::sqrt(along * along + 4 * c * rounding));
-    const double beside = std::min(1.0, 8 * z + std::max(0.0, -along) / c);
+    const double horizon = std::max(0.0, -along) / c; // the tangent of its elevation, at this azimuth
+    const double beside = std::min(1.0, 8 * z + horizon / std::hypot(1.0, horizon));
     sum += z * integrand(from_angles(std::acos(beside), viewer + phi));
   }
   return 2 * std::numbers::pi / count * sum;
@@ -102,7 +104,7 @@ Estimate weak_furnace(const Microsurface& surface, const Direction& o, double to
     integrand({h}, one);
     return std::fabs(one[0]);
   });
-  Estimate estimate = integrate_visible(surface, o, tolerance - std::min(steepest, 0.5 * tolerance), integrand);
+  Estimate estimate = integrate_visible(surface, o, tolerance - std::min(steepest, 0.8 * tolerance), integrand);
   // o + i has a length of 2 o.h ~ 2 c, and the half vector that many roundings, of which D sees the ratio to its width.
   estimate.error += steepest + 8 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) /
                                    (c * std::min(1.0, narrowest_width(surface.distribution)));
