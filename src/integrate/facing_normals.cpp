@@ -22,12 +22,17 @@ struct Line {
 class Frame {
 public:
   Frame(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions, bool kinked) : map_(map) {
+    std::vector<double> cosines; // of the mesosurface
     for (const Direction& omega : directions) {
       const double c = map.project(omega).c;
       horizons_.push_back({map.on_unit_surface(omega), c});
-      const double c_of_all = omega.z - omega.x * mesosurface[0] - omega.y * mesosurface[1];
-      if (kinked) kinks_.push_back({horizons_.back().v, c - 2 * c_of_all});
+      cosines.push_back(omega.z - omega.x * mesosurface[0] - omega.y * mesosurface[1]);
+      if (kinked) kinks_.push_back({horizons_.back().v, c - 2 * cosines.back()});
     }
+    if (!kinked || directions.size() != 2) return;
+    const Line &o = horizons_[0], &i = horizons_[1];
+    kinks_.push_back({{cosines[0] * i.v[0] - cosines[1] * o.v[0], cosines[0] * i.v[1] - cosines[1] * o.v[1]},
+                      cosines[0] * i.level - cosines[1] * o.level});
   }
 
   /// The normals of r (cos psi, sin psi), r up to the largest number.

@@ -19,8 +19,9 @@ namespace brdfplot {
 /// distribution has unit width whatever its roughness is, tails that fall like a power are powers of w, and
 /// omega.m / z_m = c - v.u, so that the horizon of each direction is a line. Rays end at the first of them, and of
 /// slopes that are seen from below, c < 0, begin at the last one. psi is cut where one line takes over from another or
-/// is parallel to the ray; with `kinked`, where V-cavities may start to mask, the rays are cut where omega.m / z_m is
-/// 2 c~ too (Heitz 2014, Eq. 49), c~ the direction's c on the mesosurface, whose slope is `mesosurface`.
+/// is parallel to the ray. With `kinked` the rays are cut where V-cavities may start to mask too, omega.m / z_m = 2 c~
+/// (Heitz 2014, Eq. 49), c~ the direction's c on the mesosurface, whose slope is `mesosurface`; and where a masking of
+/// o.m / c~ is the same for two directions, so that the smaller one of them changes.
 Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions,
                                bool kinked,
                                const std::function<void(const std::vector<Direction>&, std::vector<double>&)>& f,

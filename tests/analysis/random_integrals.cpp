@@ -185,6 +185,10 @@ TEST_CASE("albedos of rays that cross a kink in a narrow range of angles alone")
   require_all_right(tally);
 }
 
+TEST_CASE("diffuse facets where one direction's masking becomes the smaller one close to the mean slope of a part") {
+  require_all_right(compare_diffuse(random_tilted_case(1126), 1126));
+}
+
 TEST_CASE("integrals of few rectangles, on some of whose lines coefficients fall slowly") {
   Tally tally;
   for (const std::uint64_t number : {1786U, 3750U, 5362U, 6497U}) tally.add(compare(*random_case(number), fine));
