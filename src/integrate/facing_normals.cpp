@@ -113,7 +113,7 @@ private:
   /// unless it is cut where the line is at a distance r.
   static void cut_at_distance(const Line& line, double r, std::vector<double>& cuts) {
     const double norm = std::hypot(line.v[0], line.v[1]), level = std::fabs(line.level);
-    if (norm < 8 * level) return;
+    if (norm == 0 || norm < 8 * level) return;
     const double side = line.level < 0 ? -1 : 1;
     const double psi = std::atan2(side * line.v[1], side * line.v[0]), turn = std::acos(level / (norm * r));
     for (const double turned : {-turn, turn}) cuts.push_back(std::remainder(psi + turned, 2 * pi));

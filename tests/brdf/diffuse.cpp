@@ -100,6 +100,26 @@ TEST_CASE("the estimate of a diffuse BRDF is honest, wherever one looks") {
   }
 }
 
+TEST_CASE("light from where the viewer is, or from next to it, sees the facets that the viewer sees") {
+  const auto tilted = mixture({{0.5, general("beckmann", 0.4, 0.6, 0.3, {-0.3, 0.2}).distribution},
+                               {0.5, general("ggx", 0.3, 0.3, 0, {0.4, 0.1}).distribution}});
+  for (TermDescription description : {describe("ggx", 0.4), describe("velvet", 0.4), tilted})
+    for (const auto* masking : {"v_cavity", "kelemen"}) {
+      description.masking.type = masking;
+      const Material m = build(diffuse(description));
+      for (const double theta : {0.0, 0.4, 1.2}) {
+        const Direction o = from_angles(theta, 0.3);
+        const double same = value(m, Quantity::brdf, o, o);
+        INFO(description.name << " with " << masking << ", theta_o = " << theta);
+        CHECK(same > 0.05);
+        for (const double turn : {1e-15, 1e-12, 1e-8}) {
+          CHECK(relative(value(m, Quantity::brdf, o, from_angles(theta + turn, 0.3)), same) < 1e-9 + 20 * turn);
+          CHECK(relative(value(m, Quantity::brdf, o, from_angles(theta, 0.3 + turn)), same) < 1e-9 + 20 * turn);
+        }
+      }
+    }
+}
+
 TEST_CASE("a smooth surface of diffuse facets is Lambertian, at grazing angles too where it is smooth enough") {
   const Material m = build(diffuse(describe("beckmann", 1e-4)));
   for (const double theta : {0.0, 0.7, 1.5})
