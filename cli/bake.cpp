@@ -10,8 +10,8 @@
 #include "base/number.hpp"
 #include "base/text_files.hpp"
 #include "command.hpp"
-#include "config/bake_record.hpp"
 #include "config/load.hpp"
+#include "config/records/bake_record.hpp"
 #include "models/parameters.hpp"
 #include "render.hpp"
 

@@ -4,7 +4,7 @@
 #include "analysis/written_density.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
 #include "report_tables.hpp"

@@ -3,9 +3,9 @@
 
 #include "base/echo.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
-#include "base/parallel.hpp"
-#include "base/team.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
+#include "base/threads/team.hpp"
 #include "command.hpp"
 #include "last_resort.hpp"
 #include "math/kernels/kernels.hpp"

@@ -9,7 +9,7 @@
 #include "choice/pareto/tables.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "config/pareto_json.hpp"
+#include "config/records/pareto_json.hpp"
 #include "draw/html/page.hpp"
 #include "draw/text.hpp"
 #include "figure/pareto_figure.hpp"

@@ -1,6 +1,6 @@
 #include "render.hpp"
 
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "terminal.hpp"
 #include "version.hpp"
 

@@ -2,7 +2,7 @@
 /// Work of several threads with progress, and figures as they are written.
 #pragma once
 
-#include "base/team.hpp"
+#include "base/threads/team.hpp"
 #include "command.hpp"
 #include "draw/layout.hpp"
 #include "figure/description.hpp"

@@ -3,9 +3,9 @@
 
 #include "simulation/simulate.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "base/text_files.hpp"
+#include "base/threads/interrupt.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
 #include "render.hpp"

@@ -2,7 +2,7 @@
 /// The ranks that mpirun has started.
 #pragma once
 
-#include "base/ranks.hpp"
+#include "base/threads/ranks.hpp"
 
 namespace brdfplot::cli {
 

@@ -11,7 +11,7 @@
 #include "choice/stress/material_problems.hpp"
 #include "command.hpp"
 #include "config/load.hpp"
-#include "config/stress_json.hpp"
+#include "config/records/stress_json.hpp"
 #include "figure/stress_figure.hpp"
 #include "models/parameters.hpp"
 #include "render.hpp"

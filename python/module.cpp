@@ -4,7 +4,7 @@
 #include "analysis/integrals.hpp"
 #include "arrays.hpp"
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "brdf/evaluate.hpp"
 #include "config/load.hpp"
 #include "draw/model.hpp"

@@ -4,10 +4,10 @@
 
 #include "base/binary_file.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/memory.hpp"
-#include "base/parallel.hpp"
 #include "base/text_files.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
 #include "math/formula.hpp"
 
 #include <filesystem>

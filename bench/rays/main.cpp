@@ -8,7 +8,7 @@
 /// - incoherent rays: from points at random over the whole surface, in directions with a cosine distribution about the
 ///   vertical; to the next facet, which costs more than to know whether there is one;
 /// - paths: a lobe of Heitz 2014, Fig. 11, from 10^7 paths to their end, seconds in all.
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "simulation/measures/measure.hpp"
 #include "simulation/surface.hpp"
 

@@ -3,12 +3,12 @@
 #include "analysis/lobe_peak.hpp"
 #include "analysis/mean_reflectance.hpp"
 #include "base/number.hpp"
-#include "brdf/component_sum.hpp"
+#include "brdf/blocks/viewer_rows.hpp"
 #include "brdf/fresnel_term.hpp"
-#include "brdf/kinks.hpp"
-#include "brdf/reflected_light.hpp"
-#include "brdf/reflected_moments.hpp"
-#include "brdf/viewer_rows.hpp"
+#include "brdf/integrals/component_sum.hpp"
+#include "brdf/integrals/kinks.hpp"
+#include "brdf/integrals/reflected_light.hpp"
+#include "brdf/integrals/reflected_moments.hpp"
 #include "integrate/visible_area.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "analysis/masking_mistake.hpp"
 
-#include "brdf/surface_quantities.hpp"
+#include "brdf/blocks/surface_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

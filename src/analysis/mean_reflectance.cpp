@@ -1,9 +1,9 @@
 #include "analysis/mean_reflectance.hpp"
 
-#include "brdf/component_sum.hpp"
-#include "brdf/kinks.hpp"
-#include "brdf/surface_quantities.hpp"
-#include "brdf/viewer_rows.hpp"
+#include "brdf/blocks/surface_quantities.hpp"
+#include "brdf/blocks/viewer_rows.hpp"
+#include "brdf/integrals/component_sum.hpp"
+#include "brdf/integrals/kinks.hpp"
 
 #include <algorithm>
 #include <iterator>

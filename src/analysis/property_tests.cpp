@@ -1,8 +1,8 @@
 #include "analysis/property_tests.hpp"
 
 #include "analysis/integrals.hpp"
-#include "brdf/components.hpp"
 #include "brdf/diffuse.hpp"
+#include "brdf/integrals/components.hpp"
 
 #include <algorithm>
 #include <array>

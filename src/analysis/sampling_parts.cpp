@@ -1,6 +1,6 @@
 #include "analysis/sampling_parts.hpp"
 
-#include "brdf/viewer_rows.hpp"
+#include "brdf/blocks/viewer_rows.hpp"
 #include "integrate/hemisphere.hpp"
 #include "integrate/slope_domain.hpp"
 #include "sampling/cosine.hpp"

@@ -2,7 +2,7 @@
 /// What a sampler draws by, one by one, and the cells in which its samples are counted.
 #pragma once
 
-#include "brdf/components.hpp"
+#include "brdf/integrals/components.hpp"
 #include "integrate/slope_domain.hpp"
 #include "math/quadrature.hpp"
 #include "sampling/radial_slopes.hpp"

@@ -33,7 +33,7 @@ double weight_variance(const Material& material, const Sampler& sampler, const D
 /// which is where the BRDF is large. At most the true one.
 double largest_weight(const Material& material, const Sampler& sampler, const Direction& omega_o, int channel = 0);
 
-/// Of a strategy: what figures draw. The costs are those of choice/advise/sampling_cost.hpp.
+/// Of a strategy: what figures draw. The costs are those of choice/advise/shader/sampling_cost.hpp.
 enum class SampledQuantity { pdf, weight_variance, largest_weight, sampling_cost, variance_times_cost };
 
 struct SampledQuantityInfo {

@@ -4,7 +4,7 @@
 
 #include "bake/quantity.hpp"
 #include "bake/table.hpp"
-#include "base/team.hpp"
+#include "base/threads/team.hpp"
 
 #include <optional>
 

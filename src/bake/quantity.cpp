@@ -2,9 +2,9 @@
 
 #include "analysis/integrals.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
-#include "brdf/albedo_table.hpp"
+#include "base/threads/interrupt.hpp"
+#include "brdf/integrals/albedo_table.hpp"
 #include "models/parameters.hpp"
 #include "sampling/direct_lobe.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "base/echo.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -2,9 +2,9 @@
 /// What a clear coat lets through to what lies beneath it.
 #pragma once
 
-#include "brdf/kinks.hpp"
-#include "brdf/term_albedo.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/integrals/kinks.hpp"
+#include "brdf/integrals/term_albedo.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 #include "microfacet/fresnel.hpp"
 #include "microfacet/slopes.hpp"
 

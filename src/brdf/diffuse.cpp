@@ -1,7 +1,7 @@
 #include "brdf/diffuse.hpp"
 
-#include "brdf/components.hpp"
-#include "brdf/surface_quantities.hpp"
+#include "brdf/blocks/surface_quantities.hpp"
+#include "brdf/integrals/components.hpp"
 #include "integrate/facing_normals.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "brdf/evaluate.hpp"
 
+#include "brdf/blocks/kernel_choice.hpp"
+#include "brdf/blocks/surface_block.hpp"
 #include "brdf/fresnel_term.hpp"
-#include "brdf/kernel_choice.hpp"
-#include "brdf/surface_block.hpp"
 
 #include <algorithm>
 #include <array>

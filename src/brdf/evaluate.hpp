@@ -2,9 +2,9 @@
 /// The quantities of a material at directions, over arrays of directions.
 #pragma once
 
+#include "brdf/blocks/surface_block.hpp"
+#include "brdf/blocks/surface_quantities.hpp"
 #include "brdf/material.hpp"
-#include "brdf/surface_block.hpp"
-#include "brdf/surface_quantities.hpp"
 
 #include <algorithm>
 #include <optional>

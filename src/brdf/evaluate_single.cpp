@@ -1,6 +1,6 @@
 #include "brdf/evaluate_single.hpp"
 
-#include "brdf/kernel_choice.hpp"
+#include "brdf/blocks/kernel_choice.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "brdf/material.hpp"
 
 #include "base/number.hpp"
-#include "brdf/kinks.hpp"
+#include "brdf/integrals/kinks.hpp"
 #include "brdf/terms/coated.hpp"
 
 #include <algorithm>

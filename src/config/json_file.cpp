@@ -2,8 +2,8 @@
 
 #include "base/echo.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/text_files.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <filesystem>

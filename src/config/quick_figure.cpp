@@ -6,7 +6,7 @@
 #include "base/number.hpp"
 #include "base/split.hpp"
 #include "brdf/quantity.hpp"
-#include "config/figure_labels.hpp"
+#include "config/figure/labels.hpp"
 #include "figure/series/channel.hpp"
 #include "models/parameters.hpp"
 

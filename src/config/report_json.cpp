@@ -1,7 +1,7 @@
 #include "base/echo.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/text_files.hpp"
+#include "base/threads/interrupt.hpp"
 #include "config/load.hpp"
 #include "config/model_json.hpp"
 #include "config/shapes.hpp"

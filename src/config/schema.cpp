@@ -1,6 +1,6 @@
 #include "config/schema.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <nlohmann/json.hpp>
 

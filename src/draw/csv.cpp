@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/threads/interrupt.hpp"
 #include "draw/model.hpp"
 #include "draw/text.hpp"
 

@@ -1,6 +1,6 @@
 #include "figure/contour.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "math/quadrature.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include "math/gauss_kronrod.hpp"
 

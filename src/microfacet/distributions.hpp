@@ -5,16 +5,16 @@
 #include "microfacet/distributions/beckmann.hpp"
 #include "microfacet/distributions/custom.hpp"
 #include "microfacet/distributions/exponential_power.hpp"
-#include "microfacet/distributions/gaussian.hpp"
 #include "microfacet/distributions/ggx.hpp"
-#include "microfacet/distributions/gtr.hpp"
+#include "microfacet/distributions/isotropic/gaussian.hpp"
+#include "microfacet/distributions/isotropic/gtr.hpp"
+#include "microfacet/distributions/isotropic/oren_nayar.hpp"
+#include "microfacet/distributions/isotropic/phong.hpp"
+#include "microfacet/distributions/isotropic/sheen.hpp"
+#include "microfacet/distributions/isotropic/velvet.hpp"
+#include "microfacet/distributions/isotropic/ward.hpp"
 #include "microfacet/distributions/mixture.hpp"
-#include "microfacet/distributions/oren_nayar.hpp"
-#include "microfacet/distributions/phong.hpp"
-#include "microfacet/distributions/sheen.hpp"
 #include "microfacet/distributions/student_t.hpp"
-#include "microfacet/distributions/velvet.hpp"
-#include "microfacet/distributions/ward.hpp"
 
 #include <variant>
 

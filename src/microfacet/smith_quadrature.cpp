@@ -1,8 +1,8 @@
 #include "microfacet/smith_quadrature.hpp"
 
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/threads/interrupt.hpp"
 #include "math/atan_deficit.hpp"
 #include "math/quadrature.hpp"
 

@@ -1,6 +1,6 @@
 #include "sampling/radial_slopes.hpp"
 
-#include "brdf/kernel_choice.hpp"
+#include "brdf/blocks/kernel_choice.hpp"
 #include "microfacet/distributions/ggx.hpp"
 #include "microfacet/visible_normals.hpp"
 

@@ -3,7 +3,7 @@
 /// seen.
 #pragma once
 
-#include "brdf/components.hpp"
+#include "brdf/integrals/components.hpp"
 #include "math/kernels/kernels.hpp"
 #include "microfacet/visible_slopes.hpp"
 #include "sampling/piecewise_density.hpp"

@@ -2,8 +2,8 @@
 /// Directions of the light as a renderer draws them, with their density.
 #pragma once
 
+#include "brdf/blocks/viewer_rows.hpp"
 #include "brdf/material.hpp"
-#include "brdf/viewer_rows.hpp"
 #include "sampling/direct_lobe.hpp"
 #include "sampling/facets.hpp"
 

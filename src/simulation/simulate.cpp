@@ -1,8 +1,8 @@
 #include "simulation/simulate.hpp"
 
 #include "base/errors.hpp"
-#include "base/interruptible.hpp"
 #include "base/memory.hpp"
+#include "base/threads/interruptible.hpp"
 #include "simulation/measures.hpp"
 #include "simulation/measures/slope_statistics.hpp"
 #include "simulation/streams.hpp"

@@ -2,7 +2,7 @@
 /// Runs a scene: surfaces are made, rays traced, and tables filled.
 #pragma once
 
-#include "base/team.hpp"
+#include "base/threads/team.hpp"
 #include "simulation/scene.hpp"
 #include "simulation/tracer.hpp"
 

@@ -2,8 +2,8 @@
 /// Pieces of a surface, and random points spread over them.
 #pragma once
 
-#include "base/interrupt.hpp"
 #include "base/random.hpp"
+#include "base/threads/interrupt.hpp"
 #include "simulation/heightfield.hpp"
 #include "simulation/tracer.hpp"
 

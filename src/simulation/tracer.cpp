@@ -1,6 +1,6 @@
 #include "simulation/tracer.hpp"
 
-#include "base/interruptible.hpp"
+#include "base/threads/interruptible.hpp"
 
 #if BRDFPLOT_EMBREE == 3
 #include <embree3/rtcore.h>

@@ -1,8 +1,8 @@
 #include "simulation/walk.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
 #include "microfacet/visible_normals.hpp"
 #include "models/registry.hpp"
 #include "simulation/smith_profile.hpp"

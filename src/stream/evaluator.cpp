@@ -1,8 +1,8 @@
 #include "stream/evaluator.hpp"
 
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/threads/interrupt.hpp"
 #include "brdf/evaluate_single.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include "base/echo.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
 #include "base/split.hpp"
+#include "base/threads/interrupt.hpp"
 #include "models/parameters.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "stream/sample_stream.hpp"
 
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
 #include "sampling/weights.hpp"
 #include "stream/columns.hpp"
 #include "stream/rows.hpp"

@@ -2,8 +2,8 @@
 
 #include "base/echo.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
 #include "stream/evaluator.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "../materials.hpp"
 #include "analysis/fit/albedo.hpp"
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <doctest/doctest.h>
 

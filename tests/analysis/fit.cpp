@@ -2,7 +2,7 @@
 
 #include "../sample.hpp"
 #include "analysis/fit/code.hpp"
-#include "analysis/fit/maximin.hpp"
+#include "analysis/fit/minimax/maximin.hpp"
 #include "analysis/fit/rounding.hpp"
 #include "base/errors.hpp"
 #include "brdf/evaluate.hpp"

@@ -4,7 +4,7 @@
 #include "../sample.hpp"
 #include "base/errors.hpp"
 #include "base/number.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "integral_cases.hpp"
 
 #include <doctest/doctest.h>

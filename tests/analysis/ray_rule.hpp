@@ -4,8 +4,8 @@
 /// multiprecision.
 #pragma once
 
-#include "brdf/components.hpp"
 #include "brdf/evaluate.hpp"
+#include "brdf/integrals/components.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "../sample.hpp"
 #include "analysis/integrals.hpp"
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <doctest/doctest.h>
 

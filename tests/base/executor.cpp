@@ -1,7 +1,7 @@
-#include "base/executor.hpp"
+#include "base/threads/executor.hpp"
 
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <doctest/doctest.h>
 

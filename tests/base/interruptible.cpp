@@ -1,4 +1,4 @@
-#include "base/interruptible.hpp"
+#include "base/threads/interruptible.hpp"
 
 #include "base/errors.hpp"
 

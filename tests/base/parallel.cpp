@@ -1,4 +1,4 @@
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include "../sample.hpp"
 #include "analysis/integrals.hpp"
 #include "brdf/evaluate_single.hpp"
-#include "brdf/term_albedo.hpp"
+#include "brdf/integrals/term_albedo.hpp"
 #include "microfacet/fresnel.hpp"
 
 #include <doctest/doctest.h>

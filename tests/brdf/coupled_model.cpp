@@ -4,8 +4,8 @@
 #include "../sample.hpp"
 #include "analysis/integrals.hpp"
 #include "brdf/evaluate_single.hpp"
-#include "brdf/reflected_light.hpp"
-#include "brdf/term_albedo.hpp"
+#include "brdf/integrals/reflected_light.hpp"
+#include "brdf/integrals/term_albedo.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <doctest/doctest.h>

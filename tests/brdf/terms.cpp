@@ -1,6 +1,6 @@
 #include "../materials.hpp"
 #include "analysis/integrals.hpp"
-#include "brdf/reflected_moments.hpp"
+#include "brdf/integrals/reflected_moments.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include "choice/advise/errors.hpp"
-#include "choice/advise/metric.hpp"
+#include "choice/advise/images/errors.hpp"
+#include "choice/advise/images/metric.hpp"
 
 #include <doctest/doctest.h>
 

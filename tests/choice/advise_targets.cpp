@@ -1,6 +1,6 @@
 #include "choice/advise/advise.hpp"
-#include "choice/advise/against_walk.hpp"
 #include "choice/advise/examine.hpp"
+#include "choice/advise/images/against_walk.hpp"
 #include "choice/advise/single.hpp"
 #include "choice/advise/target.hpp"
 

@@ -1,9 +1,9 @@
 #include "materials.hpp"
 
 #include "base/errors.hpp"
-#include "choice/advise/sampling_cost.hpp"
-#include "choice/advise/sampling_forms.hpp"
-#include "choice/advise/shader_cost.hpp"
+#include "choice/advise/shader/cost.hpp"
+#include "choice/advise/shader/sampling_cost.hpp"
+#include "choice/advise/shader/sampling_forms.hpp"
 #include "choice/methods/newton_slope.hpp"
 #include "microfacet/distributions/beckmann.hpp"
 #include "microfacet/distributions/ggx.hpp"

@@ -1,7 +1,7 @@
-#include "choice/advise/shader_forms.hpp"
+#include "choice/advise/shader/forms.hpp"
 
 #include "brdf/evaluate.hpp"
-#include "choice/advise/shader_cost.hpp"
+#include "choice/advise/shader/cost.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #include "materials.hpp"
 
 #include "base/errors.hpp"
-#include "choice/advise/sampling_cost.hpp"
+#include "choice/advise/shader/sampling_cost.hpp"
 #include "figure/series/term.hpp"
 
 #include <doctest/doctest.h>

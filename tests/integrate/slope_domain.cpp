@@ -1,9 +1,9 @@
 #include "integrate/slope_domain.hpp"
 
 #include "../materials.hpp"
-#include "brdf/kinks.hpp"
-#include "brdf/surface_quantities.hpp"
-#include "brdf/viewer_rows.hpp"
+#include "brdf/blocks/surface_quantities.hpp"
+#include "brdf/blocks/viewer_rows.hpp"
+#include "brdf/integrals/kinks.hpp"
 
 #include <doctest/doctest.h>
 

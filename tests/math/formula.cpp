@@ -1,6 +1,6 @@
 #include "math/formula.hpp"
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Mixtures, shapes that users write, published fits, and the other ways to say how rough a surface is.
 #include "../materials.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <doctest/doctest.h>
 

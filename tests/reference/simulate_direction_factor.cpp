@@ -10,7 +10,7 @@
 /// rows that are fitted from those that test the fit, at other roughnesses, elevations and azimuths, and from those
 /// outside the range of a that is fitted.
 
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "simulation/simulate.hpp"
 
 #include <cmath>

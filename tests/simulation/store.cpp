@@ -1,7 +1,7 @@
 #include "simulation/store.hpp"
 
-#include "base/parallel.hpp"
 #include "base/text_files.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 #include "analysis/fit/albedo.hpp"
 
 #include "analysis/fit/dialect.hpp"
-#include "analysis/fit/maximin.hpp"
+#include "analysis/fit/minimax/maximin.hpp"
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// The rational form in which Smith's Lambda is fitted.
 #pragma once
 
-#include "analysis/fit/polynomial.hpp"
+#include "analysis/fit/minimax/polynomial.hpp"
 
 namespace brdfplot {
 

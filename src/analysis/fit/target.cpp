@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/number.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "brdf/evaluate.hpp"
 
 #include <algorithm>

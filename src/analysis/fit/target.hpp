@@ -2,7 +2,7 @@
 /// The Lambda of a material as what a fit is a function of.
 #pragma once
 
-#include "analysis/fit/minimax.hpp"
+#include "analysis/fit/minimax/minimax.hpp"
 #include "brdf/material.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "brdf/measured/merl_integral.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <array>

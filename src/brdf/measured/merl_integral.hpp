@@ -2,7 +2,7 @@
 /// Integrals over the light of what is constant in cells of half and difference angles.
 #pragma once
 
-#include "brdf/kinks.hpp"
+#include "brdf/integrals/kinks.hpp"
 #include "brdf/measured/merl_table.hpp"
 #include "math/quadrature.hpp"
 

@@ -1,9 +1,9 @@
 #include "brdf/measured/merl_table.hpp"
 
 #include "base/binary_file.hpp"
-#include "base/interrupt.hpp"
 #include "base/memory.hpp"
 #include "base/number.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "base/errors.hpp"
 #include "base/number.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
+#include "brdf/blocks/viewer_rows.hpp"
 #include "brdf/evaluate.hpp"
-#include "brdf/viewer_rows.hpp"
 
 #include <algorithm>
 #include <array>

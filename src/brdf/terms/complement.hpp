@@ -2,8 +2,8 @@
 /// What a matte part reflects of the light that a specular part leaves.
 #pragma once
 
-#include "brdf/term_albedo.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/integrals/term_albedo.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 
 namespace brdfplot {
 

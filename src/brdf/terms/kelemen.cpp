@@ -1,8 +1,8 @@
 #include "brdf/terms/kelemen.hpp"
 
 #include "base/number.hpp"
-#include "brdf/component_sum.hpp"
-#include "brdf/surface_block.hpp"
+#include "brdf/blocks/surface_block.hpp"
+#include "brdf/integrals/component_sum.hpp"
 
 #include <cmath>
 #include <utility>

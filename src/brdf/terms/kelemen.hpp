@@ -2,8 +2,8 @@
 /// The specular part of Kelemen and Szirmay-Kalos.
 #pragma once
 
-#include "brdf/kinks.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/integrals/kinks.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 
 namespace brdfplot {
 

@@ -3,7 +3,7 @@
 #include "brdf/measured/measured_file.hpp"
 #include "brdf/measured/merl_integral.hpp"
 #include "brdf/measured/merl_table.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 
 namespace brdfplot {
 

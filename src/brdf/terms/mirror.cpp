@@ -1,7 +1,7 @@
 #include "brdf/terms/mirror.hpp"
 
-#include "brdf/kernel_choice.hpp"
-#include "brdf/surface_block.hpp"
+#include "brdf/blocks/kernel_choice.hpp"
+#include "brdf/blocks/surface_block.hpp"
 
 #include <algorithm>
 #include <utility>

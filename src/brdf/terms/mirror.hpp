@@ -2,7 +2,7 @@
 /// Facets that are mirrors.
 #pragma once
 
-#include "brdf/kinks.hpp"
+#include "brdf/integrals/kinks.hpp"
 #include "brdf/term.hpp"
 
 namespace brdfplot {

@@ -2,8 +2,8 @@
 /// Light that a microsurface reflects more than once.
 #pragma once
 
-#include "brdf/term_albedo.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/integrals/term_albedo.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 
 namespace brdfplot {
 

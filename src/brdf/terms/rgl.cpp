@@ -1,9 +1,9 @@
 #include "brdf/terms/rgl.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "brdf/measured/measured_file.hpp"
 #include "brdf/measured/rgl_table.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 #include "math/cubature.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Measured reflectance of the RGL material database.
 #pragma once
 
-#include "brdf/kinks.hpp"
+#include "brdf/integrals/kinks.hpp"
 #include "brdf/term.hpp"
 
 #include <functional>

@@ -2,8 +2,8 @@
 /// Light of further bounces as a multiple of the first.
 #pragma once
 
-#include "brdf/term_albedo.hpp"
-#include "brdf/terms/flat.hpp"
+#include "brdf/integrals/term_albedo.hpp"
+#include "brdf/terms/diffuse/flat.hpp"
 #include "brdf/terms/mirror.hpp"
 
 namespace brdfplot {

@@ -1,8 +1,8 @@
 #include "choice/advise/advise.hpp"
 
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
-#include "choice/advise/reference.hpp"
+#include "base/threads/parallel.hpp"
+#include "choice/advise/images/reference.hpp"
 #include "choice/advise/refit.hpp"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "choice/advise/examination.hpp"
+#include "choice/advise/images/reference.hpp"
 #include "choice/advise/ladder.hpp"
-#include "choice/advise/reference.hpp"
 
 #include <functional>
 #include <optional>

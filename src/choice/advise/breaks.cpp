@@ -1,7 +1,7 @@
 #include "choice/advise/breaks.hpp"
 
 #include "brdf/evaluate.hpp"
-#include "choice/advise/metric.hpp"
+#include "choice/advise/images/metric.hpp"
 #include "choice/advise/single.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// What is looked at once an answer is there, as data.
 #pragma once
 
-#include "choice/advise/errors.hpp"
+#include "choice/advise/images/errors.hpp"
 #include "simulation/statistics.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "choice/advise/examine.hpp"
 
-#include "choice/advise/against_walk.hpp"
 #include "choice/advise/breaks.hpp"
+#include "choice/advise/images/against_walk.hpp"
 #include "choice/advise/single.hpp"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "choice/advise/draft.hpp"
-#include "choice/advise/render.hpp"
-#include "choice/advise/scene.hpp"
+#include "choice/advise/images/render.hpp"
+#include "choice/advise/images/scene.hpp"
 
 #include <vector>
 

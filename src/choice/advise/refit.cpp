@@ -1,6 +1,6 @@
 #include "choice/advise/refit.hpp"
 
-#include "choice/advise/shader_mirror.hpp"
+#include "choice/advise/shader/mirror.hpp"
 
 #include <Eigen/Dense>
 

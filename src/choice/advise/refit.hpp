@@ -3,7 +3,7 @@
 #pragma once
 
 #include "choice/advise/draft.hpp"
-#include "choice/advise/render.hpp"
+#include "choice/advise/images/render.hpp"
 
 namespace brdfplot::choice {
 

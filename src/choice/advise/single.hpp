@@ -3,7 +3,7 @@
 #pragma once
 
 #include "brdf/term.hpp"
-#include "choice/advise/mirror_forms.hpp"
+#include "choice/advise/shader/mirror_forms.hpp"
 
 #include <array>
 #include <optional>

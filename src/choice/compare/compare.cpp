@@ -3,8 +3,8 @@
 #include "analysis/integrals.hpp"
 #include "base/errors.hpp"
 #include "choice/advise/draft.hpp"
+#include "choice/advise/images/render.hpp"
 #include "choice/advise/refit.hpp"
-#include "choice/advise/render.hpp"
 #include "choice/compare/pairs.hpp"
 
 #include <algorithm>

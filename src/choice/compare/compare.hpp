@@ -2,7 +2,7 @@
 /// How far apart two materials are: over all pairs of directions, in albedo, and as lit spheres look.
 #pragma once
 
-#include "choice/advise/errors.hpp"
+#include "choice/advise/images/errors.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "choice/compare/pairs.hpp"
 
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 #include "sampling/points.hpp"
 #include "sampling/sampler.hpp"
 

@@ -3,7 +3,7 @@
 #include "analysis/fit/fit.hpp"
 #include "analysis/integrals.hpp"
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "brdf/evaluate.hpp"
 #include "choice/methods/add.hpp"
 #include "math/quadrature.hpp"

@@ -1,6 +1,6 @@
 #include "choice/pareto/errors.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "choice/pareto/pareto.hpp"
 
-#include "base/parallel.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "choice/pareto/samples.hpp"
 
-#include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "base/threads/parallel.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "choice/pareto/times.hpp"
 
-#include "base/interrupt.hpp"
 #include "base/random.hpp"
+#include "base/threads/interrupt.hpp"
 #include "choice/pareto/samples.hpp"
 
 #include <algorithm>

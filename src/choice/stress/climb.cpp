@@ -1,7 +1,7 @@
 #include "choice/stress/climb.hpp"
 
-#include "base/interrupt.hpp"
 #include "base/random.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <cmath>

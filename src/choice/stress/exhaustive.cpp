@@ -1,7 +1,7 @@
 #include "choice/stress/exhaustive.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/parallel.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
 #include "choice/stress/ordinals.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "choice/stress/subject.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "choice/stress/ordinals.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
+#include "base/threads/interrupt.hpp"
 #include "draw/base64.hpp"
 #include "draw/deflate.hpp"
 #include "draw/html/cite.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "draw/svg/plan.hpp"
 
 namespace brdfplot::plot {

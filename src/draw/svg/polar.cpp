@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "draw/svg/polar.hpp"
 
 namespace brdfplot::plot {

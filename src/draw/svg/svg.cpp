@@ -2,7 +2,7 @@
 #include <set>
 #include <string>
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "draw/number_text.hpp"
 #include "draw/svg/plan.hpp"
 #include "draw/svg/reading.hpp"

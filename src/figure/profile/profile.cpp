@@ -1,7 +1,7 @@
 #include "figure/profile/profile.hpp"
 
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 #include "microfacet/distributions/beckmann.hpp"
 
 #include <algorithm>

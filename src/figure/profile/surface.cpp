@@ -1,9 +1,9 @@
 #include "figure/profile/surface.hpp"
 
 #include "base/errors.hpp"
-#include "base/interruptible.hpp"
 #include "base/number.hpp"
 #include "base/random.hpp"
+#include "base/threads/interruptible.hpp"
 #include "brdf/evaluate.hpp"
 #include "microfacet/remembered.hpp"
 #include "models/model_text.hpp"

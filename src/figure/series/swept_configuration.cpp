@@ -1,6 +1,6 @@
 #include "figure/series/configuration.hpp"
 
-#include "base/interrupt.hpp"
+#include "base/threads/interrupt.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 #include "figure/series/term.hpp"
 
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
-#include "choice/advise/sampling_cost.hpp"
+#include "base/threads/interrupt.hpp"
+#include "choice/advise/shader/sampling_cost.hpp"
 
 #include <algorithm>
 #include <array>

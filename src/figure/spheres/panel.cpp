@@ -2,8 +2,8 @@
 
 #include "base/errors.hpp"
 #include "base/number.hpp"
-#include "brdf/reflected_light.hpp"
-#include "brdf/term_albedo.hpp"
+#include "brdf/integrals/reflected_light.hpp"
+#include "brdf/integrals/term_albedo.hpp"
 #include "draw/number_text.hpp"
 #include "figure/series/configuration.hpp"
 #include "figure/spheres/radiance.hpp"

@@ -1,11 +1,11 @@
 #include "figure/spheres/radiance.hpp"
 
 #include "base/errors.hpp"
-#include "base/interrupt.hpp"
 #include "base/number.hpp"
-#include "base/parallel.hpp"
-#include "brdf/albedo_table.hpp"
-#include "brdf/reflected_light.hpp"
+#include "base/threads/interrupt.hpp"
+#include "base/threads/parallel.hpp"
+#include "brdf/integrals/albedo_table.hpp"
+#include "brdf/integrals/reflected_light.hpp"
 #include "draw/number_text.hpp"
 #include "figure/spheres/srgb.hpp"
 

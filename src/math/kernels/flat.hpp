@@ -16,13 +16,13 @@ enum class FlatTerm {
   through_normal,         ///< w F_l
   through_half,           ///< w F_h
   through_both,           ///< w F_l F_v
-  disney,                 ///< w ((1 - p1) f_d + 1.25 p1 f_ss), p0 = sqrt(alpha): brdf/terms/disney_diffuse.hpp
+  disney,                 ///< w ((1 - p1) f_d + 1.25 p1 f_ss), p0 = sqrt(alpha): brdf/terms/diffuse/disney_diffuse.hpp
   disney_printed,         ///< the same with 1 / (l v) for 1 / (l + v)
   sheen,                  ///< w (1 - h)^5
-  hammon,                 ///< w F_l F_v; w f_rough: brdf/terms/hammon_diffuse.hpp; w
+  hammon,                 ///< w F_l F_v; w f_rough: brdf/terms/diffuse/hammon_diffuse.hpp; w
   velvet,                 ///< w F_h; V; (1 - h)^5 V, V = w (p1 + p2 e^(-p0 cot^2) / sin^4) / (4 (l + v - l v)), of n.h
   uncharted2,             ///< w (p0 v^p1 + p2 (1 - v)^p3 + p4), p1, p3 > 0
-  fujii,                  ///< w (1 + p0 s / t): brdf/terms/eon.hpp
+  fujii,                  ///< w (1 + p0 s / t): brdf/terms/diffuse/eon.hpp
   eon,                    ///< the same; w B(l) B(v), B as there
   oren_nayar,             ///< w (p0 + k C2 tan beta + ...); w p3 (1 - k (2 beta / pi)^2): brdf/oren_nayar.hpp,
                           ///< p1 = C2 / (sin alpha - ...), p2 = C3 / (4 alpha beta / pi^2)^2

@@ -1,12 +1,12 @@
 /// \file
 /// The kernels for AVX-512 (F, DQ, VL); kernels.cmake gives this source its flags.
 #define BRDFPLOT_KERNELS_NAMESPACE avx512
-#include "math/kernels/cloth_loops.hpp"
-#include "math/kernels/direction_loops.hpp"
-#include "math/kernels/flat_loops.hpp"
-#include "math/kernels/fresnel_loops.hpp"
-#include "math/kernels/loops.hpp"
-#include "math/kernels/sampling_loops.hpp"
+#include "math/kernels/loops/cloth_loops.hpp"
+#include "math/kernels/loops/direction_loops.hpp"
+#include "math/kernels/loops/flat_loops.hpp"
+#include "math/kernels/loops/fresnel_loops.hpp"
+#include "math/kernels/loops/loops.hpp"
+#include "math/kernels/loops/sampling_loops.hpp"
 
 namespace brdfplot::kernels::detail {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "microfacet/beckmann_lambda.hpp"
-#include "microfacet/shape_invariant.hpp"
+#include "microfacet/distributions/shape_invariant.hpp"
 #include "microfacet/visible_slopes.hpp"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "math/formula.hpp"
 #include "microfacet/a_lambda_table.hpp"
-#include "microfacet/shape_invariant.hpp"
+#include "microfacet/distributions/shape_invariant.hpp"
 
 namespace brdfplot {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "microfacet/a_lambda_table.hpp"
-#include "microfacet/shape_invariant.hpp"
+#include "microfacet/distributions/shape_invariant.hpp"
 
 namespace brdfplot {
 

@@ -3,7 +3,7 @@
 /// Eqs. 9.41-9.42, 9.53).
 #pragma once
 
-#include "microfacet/shape_invariant.hpp"
+#include "microfacet/distributions/shape_invariant.hpp"
 #include "microfacet/visible_slopes.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Student's t distribution of slopes (Ribardiere et al. 2017): a tail between those of GGX and Beckmann, or longer.
 #pragma once
 
-#include "microfacet/shape_invariant.hpp"
+#include "microfacet/distributions/shape_invariant.hpp"
 
 namespace brdfplot {
 

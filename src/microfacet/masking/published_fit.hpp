@@ -2,7 +2,7 @@
 /// Fits of Lambda as their authors printed them, each for one distribution.
 #pragma once
 
-#include "microfacet/distributions/sheen.hpp"
+#include "microfacet/distributions/isotropic/sheen.hpp"
 #include "microfacet/distributions/student_t.hpp"
 
 #include <limits>

@@ -1,7 +1,7 @@
 /// \file
 /// G1 on average and by normal.
 
-#include "brdf/surface_quantities.hpp"
+#include "brdf/blocks/surface_quantities.hpp"
 #include "simulation/measures.hpp"
 
 #include <algorithm>

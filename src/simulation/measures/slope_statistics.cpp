@@ -1,6 +1,6 @@
 #include "simulation/measures/slope_statistics.hpp"
 
-#include "base/interruptible.hpp"
+#include "base/threads/interruptible.hpp"
 
 #include <tbb/parallel_for.h>
 

@@ -1,8 +1,8 @@
 #include "simulation/surfaces/gaussian_field.hpp"
 
-#include "base/interrupt.hpp"
 #include "base/memory.hpp"
 #include "base/random.hpp"
+#include "base/threads/interrupt.hpp"
 #include "simulation/streams.hpp"
 
 #include <fftw3.h>

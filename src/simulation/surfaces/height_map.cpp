@@ -1,7 +1,7 @@
 #include "simulation/surfaces/height_map.hpp"
 
-#include "base/interrupt.hpp"
 #include "base/memory.hpp"
+#include "base/threads/interrupt.hpp"
 #include "simulation/surfaces/image.hpp"
 
 #include <algorithm>
