@@ -1,4 +1,5 @@
-"""The arrows of the architecture point one way: fails on any #include that points the other way.
+"""The arrows of the architecture point one way: fails on any #include that points the other way, and on a folder of src
+with more files than one finds one's way in.
 
     check_includes.py ROOT         checks ROOT/src and ROOT/cli
     check_includes.py --self-test  checks the checker on trees with a known fault each
@@ -12,6 +13,7 @@ from pathlib import Path
 # A file may include from its own layer and from those before it. What draws knows no BRDF: only base.
 LAYERS = ["base", "math", "models", "microfacet", "integrate", "brdf", "sampling", "analysis", "bake", "stream", "simulation", "choice", "draw",
           "figure", "config", "cli"]
+MOST_FILES = 22
 # The number type of exact values, which only the sources of problems include.
 HEAVY_HEADERS = {"src/choice/methods/exact.hpp"}
 KNOWS_ONLY = {"draw": {"base", "draw"}}
@@ -69,6 +71,10 @@ def check(root: Path) -> list[str]:
             if match := INCLUDE.match(line):
                 if fault := check_include(match[2], match[1] == '"', source, root):
                     faults.append(f"{where}:{number}: {fault}")
+    for folder in sorted(p for p in (root / "src").rglob("*") if p.is_dir()):
+        files = sum(p.is_file() for p in folder.iterdir())
+        if files > MOST_FILES:
+            faults.append(f"{folder.relative_to(root)}: {files} files; at most {MOST_FILES}")
     return faults
 
 
@@ -96,9 +102,11 @@ def self_test() -> None:
         "missing file": ("src/math/a.hpp", '#include "math/gone.hpp"\n'),
         "own header in angle brackets": ("src/brdf/c.hpp", "#include <math/a.hpp>\n"),
     }
-    for name, (path, text) in {"nothing": ("src/math/a.hpp", ""), **bad}.items():
+    crowd = {f"src/crowd/{k}.txt": "" for k in range(MOST_FILES + 1)}
+    trees = {"nothing": {}, "a crowd": crowd} | {name: {path: text} for name, (path, text) in bad.items()}
+    for name, tree in trees.items():
         with tempfile.TemporaryDirectory() as folder:
-            for file, content in {**good, path: text}.items():
+            for file, content in {**good, **tree}.items():
                 (Path(folder) / file).parent.mkdir(parents=True, exist_ok=True)
                 (Path(folder) / file).write_text(content, encoding="utf-8")
             faults = check(Path(folder))
