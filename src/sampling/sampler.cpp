@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "sampling/cosine.hpp"
+#include "sampling/own_strategy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +59,10 @@ bool is_about_half_vector(const WeightedTerm& term) {
       term.term);
 }
 
-/// null: cosine.
-std::shared_ptr<const DirectLobe> direct_lobe(const WeightedTerm& term, Strategy by) {
-  if (by == Strategy::eon) return eon_lobe(std::get<Eon>(term.term).roughness);
-  if (by == Strategy::kelemen) return matte_lobe(std::get<Complement>(term.term).of);
-  return nullptr;
+/// null: none, or half_vector.
+std::shared_ptr<const DirectLobe> own_lobe(const WeightedTerm& term) {
+  return with_own_strategy<std::shared_ptr<const DirectLobe>>(term,
+                                                              [](const auto& own, auto& t) { return own.lobe(t); });
 }
 
 std::string names_of(const std::vector<Strategy>& strategies) {
@@ -111,12 +111,11 @@ std::vector<std::string> strategy_names() {
 
 std::vector<Strategy> strategies_of(const WeightedTerm& term) {
   std::vector<Strategy> all{Strategy::cosine};
-  if (std::holds_alternative<Eon>(term.term)) all.push_back(Strategy::eon);
-  if (const auto* complement = std::get_if<Complement>(&term.term); complement != nullptr && complement->isotropic())
-    all.push_back(Strategy::kelemen);
-  if (!is_about_half_vector(term)) return all;
-  all.push_back(Strategy::half_vector);
-  if (std::holds_alternative<Kelemen2001>(term.term)) all.push_back(Strategy::kelemen);
+  const bool mirrors = is_about_half_vector(term);
+  if (mirrors) all.push_back(Strategy::half_vector);
+  const auto own = with_own_strategy<std::optional<Strategy>>(term, [](const auto& of, auto&) { return of.strategy; });
+  if (own) all.push_back(*own);
+  if (!mirrors) return all;
   const Facets facets(*term.facets());
   if (facets.visible()) all.push_back(Strategy::visible_normals);
   if (facets.visible() && facets.ggx()) all.push_back(Strategy::heitz_2018);
@@ -145,9 +144,9 @@ Sampler::Sampler(const Material& material, const std::string& strategy, const st
     const Strategy by = strategy_of(material, term, strategy);
     const bool mirrors = by != Strategy::cosine && is_about_half_vector(term);
     lobes_.push_back({by, mirrors ? std::make_shared<const Facets>(*term.facets()) : nullptr, size_of(term),
-                      term.fresnel(), mirrors ? nullptr : direct_lobe(term, by)});
-    if (by == Strategy::kelemen && !mirrors && material.terms.size() == 2)
-      complement_ = &std::get<Complement>(term.term);
+                      term.fresnel(), mirrors || by == Strategy::cosine ? nullptr : own_lobe(term)});
+    if (lobes_.back().direct != nullptr && material.terms.size() == 2)
+      other_ = with_own_strategy<const AlbedoTable*>(term, [](const auto& own, auto& t) { return own.other(t); });
   }
 }
 
@@ -155,16 +154,16 @@ std::vector<double> Sampler::sizes(std::size_t n, const Columns& omega_o) const 
   std::vector<double> sizes(lobes_.size() * n), cosines(n), losses(n);
   for (std::size_t k = 0; k < n; ++k) {
     cosines[k] = std::clamp(dot(omega_o[k], mean_normal_), 0.0, 1.0);
-    if (complement_ != nullptr) losses[k] = mean_loss(complement_->of.table(), omega_o[k]);
+    if (other_ != nullptr) losses[k] = mean_loss(*other_, omega_o[k]);
   }
   for (std::size_t l = 0; l < lobes_.size(); ++l) {
     const Lobe& lobe = lobes_[l];
     std::vector<double> own(n, 1);
-    if (complement_ != nullptr)
+    if (other_ != nullptr)
       for (std::size_t k = 0; k < n; ++k) own[k] = lobe.direct != nullptr ? lobe.size * losses[k] : 1 - losses[k];
     else if (lobe.fresnel != nullptr)
       own = mean_reflectances(*lobe.fresnel, cosines);
-    const double factor = complement_ == nullptr ? lobe.size : 1;
+    const double factor = other_ == nullptr ? lobe.size : 1;
     for (std::size_t k = 0; k < n; ++k) sizes[l * n + k] = factor * own[k];
   }
   return sizes;

@@ -6,6 +6,7 @@
 #include "brdf/material.hpp"
 #include "sampling/direct_lobe.hpp"
 #include "sampling/facets.hpp"
+#include "sampling/strategy.hpp"
 
 #include <memory>
 #include <optional>
@@ -14,27 +15,8 @@
 
 namespace brdfplot {
 
-/// How directions are drawn.
-enum class Strategy {
-  cosine,          ///< cos theta_i / pi about the normal of the mesosurface
-  half_vector,     ///< omega_o mirrored at a normal with the density D(m) (m.g)
-  visible_normals, ///< omega_o mirrored at a normal with the density <o, m> D(m) / sigma(o) (Heitz 2014, Eq. 16)
-  heitz_2018,      ///< the same of GGX, where visible_normals are Dupuy and Benyoub's (2023), by Heitz's map (2018)
-  kelemen,         ///< what Kelemen and Szirmay-Kalos (2001) do: half_vector, and `complement` by a table
-  eon,             ///< what Portsmouth, Kutz and Hill (2024) do for `eon`
-};
-
-/// Whether normals are drawn as they are seen.
-inline bool draws_visible(Strategy strategy) {
-  return strategy == Strategy::visible_normals || strategy == Strategy::heitz_2018;
-}
-
-std::string name_of(Strategy strategy);
-/// The names that `Sampler` takes, "default" first.
-std::vector<std::string> strategy_names();
-
 /// What a term can be drawn by: `cosine`; where it is about the half vector, `half_vector`; and where the facets' mean
-/// slope is finite, `visible_normals`, of GGX `heitz_2018` too; `kelemen` (see matte_lobe()) and `eon` by the type.
+/// slope is finite, `visible_normals`, of GGX `heitz_2018` too; and what its type brings (own_strategy.hpp).
 std::vector<Strategy> strategies_of(const WeightedTerm& term);
 /// `visible_normals` for mirrors with a Lambda, else `half_vector` for what is about it, else `cosine`.
 Strategy default_strategy(const WeightedTerm& term);
@@ -107,7 +89,7 @@ private:
   SlopeMap map_;
   Direction mean_normal_;
   std::vector<Lobe> lobes_;
-  const Complement* complement_ = nullptr; ///< whose table says how much either of two terms reflects
+  const AlbedoTable* other_ = nullptr; ///< of two terms, where it says how much either reflects
 };
 
 } // namespace brdfplot
