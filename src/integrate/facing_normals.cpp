@@ -185,6 +185,8 @@ Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std
   const Tolerance of_ray{0.05 * tolerance.absolute, std::max(1e-13, 0.05 * tolerance.relative)};
   const auto outer = [&](const double* psi, double* y, std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
+      y[k] = 0;
+      if (std::isinf(worst_ray)) continue; // one ray without an end is enough
       const Estimate estimate = ray(psi[k], of_ray);
       y[k] = estimate.value;
       worst_ray = std::max(worst_ray, estimate.error);
@@ -193,6 +195,7 @@ Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std
   };
   Estimate estimate =
       integrate(outer, frame.cuts_of_turn(), {0.5 * tolerance.absolute, 0.5 * tolerance.relative}, 4000);
+  if (std::isinf(worst_ray)) return {worst_ray, worst_ray, evaluations};
   estimate.error += 2 * pi * worst_ray;
   estimate.evaluations = evaluations;
   return estimate;

@@ -22,6 +22,7 @@ namespace brdfplot {
 /// is parallel to the ray. With `kinked` the rays are cut where V-cavities may start to mask too, omega.m / z_m = 2 c~
 /// (Heitz 2014, Eq. 49), c~ the direction's c on the mesosurface, whose slope is `mesosurface`; and where a masking of
 /// o.m / c~ is the same for two directions, so that the smaller one of them changes.
+/// Where a ray has no finite integral (power_tail()) the estimate is infinite.
 Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions,
                                bool kinked,
                                const std::function<void(const std::vector<Direction>&, std::vector<double>&)>& f,

@@ -47,6 +47,8 @@ ColourEstimate integrate_hemisphere(const SlopeMap& map, const HemisphereIntegra
   std::vector<Direction> lights;
   std::vector<double> errors, values;
   const PlaneFunction integrand = [&](std::size_t, const double* theta, const double* phi, double* out, std::size_t n) {
+    std::fill_n(out, f.channels * n, 0.0);
+    if (std::isinf(worst)) return; // one rho without an end is enough
     lights.resize(n);
     for (std::size_t k = 0; k < n; ++k) lights[k] = basis.direction(theta[k], phi[k]);
     values.assign(f.channels * n, 0);
@@ -57,8 +59,8 @@ ColourEstimate integrate_hemisphere(const SlopeMap& map, const HemisphereIntegra
       const double cosine = f.times_cosine ? 1 : std::max(0.0, map.project(i).c);
       const double scale = copies * cosine * weight(i) * std::sin(theta[k]);
       for (std::size_t c = 0; c < f.channels; ++c) {
-        out[c * n + k] = values[c * n + k] * scale;
         worst = std::max(worst, errors[c * n + k] * std::fabs(scale));
+        if (std::isfinite(values[c * n + k])) out[c * n + k] = values[c * n + k] * scale;
       }
     }
   };

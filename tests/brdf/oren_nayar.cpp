@@ -215,6 +215,17 @@ TEST_CASE("fits of Oren and Nayar are materials: brdf_cos, albedo, and what they
   CHECK(refused(both, "/distribution"));
 }
 
+TEST_CASE("diffuse facets that Kelemen's masking lets see all of an infinite area are refused at the first ray") {
+  TermDescription description = nayar(0.4);
+  description.type = "facet_diffuse";
+  description.masking.type = "kelemen";
+  const Material m = build(description);
+  const Estimate e = diffuse_brdf(m.surface(), from_angles(1, 0), from_angles(0.5, 2));
+  CHECK(std::isinf(e.error));
+  CHECK(e.evaluations < 1'000'000);
+  CHECK(std::isinf(compute(Integral::albedo, m, from_angles(1, 0), 1e-4).error));
+}
+
 TEST_CASE(
     "V-cavities of Oren and Nayar's distribution conserve the visible area, though Smith's would see none of it") {
   for (const double sigma : {0.05, 0.5, 2.0})

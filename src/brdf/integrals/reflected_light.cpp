@@ -79,6 +79,7 @@ void write_quadratures(const T& term, const std::vector<Coat>& coats, const Batc
       value[c * batch.n + k] = scale * white.value;
       error[c * batch.n + k] = scale * white.error;
     }
+    if (std::isinf(white.error)) return; // and so is what it is part of
   }
 }
 
