@@ -112,7 +112,8 @@ std::string in_degrees(double angle) {
 std::string place(const Residual& residual, const PropertySearch& search) {
   if (residual.verdict == Verdict::unknown)
     return "cannot be told at a tolerance of " + format_number(search.tolerance) + ": the error is " +
-           short_number(residual.error) + " at theta_o = " + in_degrees(residual.theta_o);
+           (std::isfinite(residual.error) ? short_number(residual.error) : format_number(residual.error)) +
+           " at theta_o = " + in_degrees(residual.theta_o);
   if (residual.verdict == Verdict::fails)
     return "at theta_o = " + in_degrees(residual.theta_o) + ", phi_o = " + in_degrees(residual.phi_o);
   return residual.verdict == Verdict::not_applicable ? "does not apply: " + residual.reason : "";

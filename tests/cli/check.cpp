@@ -128,6 +128,16 @@ TEST_CASE("check: the last guard, what is no number is told, is exit code 4, and
   }
 }
 
+TEST_CASE("check: a BRDF whose integral has no end is told at once") {
+  const Folder folder;
+  folder.write("m.json", R"({"facet": "diffuse", "distribution": {"type": "oren_nayar", "sigma": 0.4},
+    "masking": {"type": "kelemen"}})");
+  const auto ran = run(folder, "brdfplot check m.json");
+  CHECK(ran.code == 4);
+  CHECK(ran.err.find("\"eq37\": found inf, accepted: a finite residual\n") != std::string::npos);
+  CHECK(ran.out.find("the error is inf at theta_o") != std::string::npos);
+}
+
 TEST_CASE("check: usage") {
   const Folder folder;
   write_materials(folder);
