@@ -142,10 +142,9 @@ public:
     };
     const auto cuts = frame_.cuts_of_ray(cos_psi, sin_psi);
     if (cuts.empty()) return {};
-    Estimate estimate = integrate(over_w, cuts, tolerance);
-    if (cuts.front() > 0) return estimate;
+    if (cuts.front() > 0) return integrate(over_w, cuts, tolerance);
     constexpr double largest_slope = 1e65; // before the cube of z_m ends
-    estimate.error += power_tail(
+    const double tail = power_tail(
         [&](double r) {
           double value = 0;
           slopes_ = {r};
@@ -153,6 +152,9 @@ public:
           return value;
         },
         largest_slope);
+    if (std::isinf(tail)) return {tail, tail, 1};
+    Estimate estimate = integrate(over_w, cuts, tolerance);
+    estimate.error += tail;
     return estimate;
   }
 
