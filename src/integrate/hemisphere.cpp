@@ -59,8 +59,9 @@ ColourEstimate integrate_hemisphere(const SlopeMap& map, const HemisphereIntegra
       const double cosine = f.times_cosine ? 1 : std::max(0.0, map.project(i).c);
       const double scale = copies * cosine * weight(i) * std::sin(theta[k]);
       for (std::size_t c = 0; c < f.channels; ++c) {
-        worst = std::max(worst, errors[c * n + k] * std::fabs(scale));
-        if (std::isfinite(values[c * n + k])) out[c * n + k] = values[c * n + k] * scale;
+        const double error = errors[c * n + k];
+        worst = std::max(worst, std::isinf(error) ? error : error * std::fabs(scale));
+        if (!std::isinf(error)) out[c * n + k] = values[c * n + k] * scale;
       }
     }
   };
