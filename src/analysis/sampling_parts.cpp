@@ -106,13 +106,13 @@ Estimate SamplingPart::integral(const LightDensity& f, double tolerance) const {
   if (lobe_.facets == nullptr) return over_hemisphere(f, tolerance);
   // All facets face the vertical; those that are drawn as they are seen face the viewer.
   const bool seen = draws_visible(lobe_.strategy);
-  const SlopeFrame frame(component()->frame, seen ? omega_o_ : Direction{0, 0, 1}, component()->mesosurface);
+  const SlopeFrame frame = component()->seen_from(seen ? omega_o_ : Direction{0, 0, 1});
   return integrate_facing(frame, {over_normals(f), {}, false, false}, tolerance);
 }
 
 Estimate SamplingPart::lit_integral(const LightDensity& f, double tolerance) const {
   if (lobe_.facets == nullptr) return over_hemisphere(f, tolerance);
-  const SlopeFrame frame(component()->frame, omega_o_, component()->mesosurface);
+  const SlopeFrame frame = component()->seen_from(omega_o_);
   return integrate_lit(frame, {over_normals(f), 1, {}, false, false}, tolerance).channel(0);
 }
 

@@ -2,6 +2,7 @@
 
 #include "brdf/blocks/surface_quantities.hpp"
 #include "brdf/integrals/components.hpp"
+#include "brdf/integrals/kinks.hpp"
 #include "integrate/facing_normals.hpp"
 
 #include <algorithm>
@@ -54,8 +55,13 @@ Direction mean_normal(const SlopeMap& map) { return normalized({-map.mean_x, -ma
 
 using Weight = std::function<void(const std::vector<Direction>& normals, std::vector<double>& weights)>;
 
-/// int D(m) g(m) dm over the normals that face the directions, component by component.
-Estimate integrate_density(const Microsurface& surface, std::span<const Direction> directions, bool kinked,
+/// Those of G1 and G2 as functions of the normal.
+NormalKinks masking_kinks(const Microsurface& surface) {
+  return {.lines = !surface.has_lambda(), .anywhere = !surface.has_lambda() && is_formula(surface.masking)};
+}
+
+/// int D(m) g(m) dm over the normals that face the directions, component by component. `kinks`: of g.
+Estimate integrate_density(const Microsurface& surface, std::span<const Direction> directions, NormalKinks kinks,
                            const Weight& g, const Tolerance& tolerance) {
   const auto parts = components(surface.distribution);
   const Tolerance of_part{tolerance.absolute / static_cast<double>(parts.size()), tolerance.relative};
@@ -68,8 +74,9 @@ Estimate integrate_density(const Microsurface& surface, std::span<const Directio
       for (std::size_t k = 0; k < m.size(); ++k)
         if (out[k] != 0) out[k] *= density[k];
     };
+    kinks.radii = component.radii;
     const Estimate one =
-        integrate_over_facing(component.frame, component.mesosurface, directions, kinked, integrand, of_part);
+        integrate_over_facing(component.frame, component.mesosurface, directions, kinks, integrand, of_part);
     sum.value += one.value;
     sum.error += one.error;
     sum.evaluations += one.evaluations;
@@ -150,7 +157,7 @@ Estimate diffuse_brdf(const Microsurface& surface, const Direction& omega_o, con
     }
   };
   const std::array<Direction, 2> both = {omega_o, omega_i};
-  return integrate_density(surface, both, !constant, integrand, tolerance);
+  return integrate_density(surface, both, masking_kinks(surface), integrand, tolerance);
 }
 
 Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omega_o, double tolerance) {
@@ -166,7 +173,8 @@ Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omeg
     for (std::size_t k = 0; k < m.size(); ++k)
       out[k] = g1[constant ? 0 : k] * std::max(0.0, dot(omega_o, m[k])) / c_o * out[k];
   };
-  Estimate estimate = integrate_density(surface, std::span(&omega_o, 1), !constant, integrand, {.absolute = tolerance});
+  Estimate estimate =
+      integrate_density(surface, std::span(&omega_o, 1), masking_kinks(surface), integrand, {.absolute = tolerance});
   // At grazing o.m is a difference of terms that are rounded.
   estimate.error += 4 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) / c_o;
   return estimate;
@@ -179,7 +187,7 @@ Estimate sum_of_normals(const Microsurface& surface, std::size_t axis, double to
     out.resize(m.size());
     for (std::size_t k = 0; k < m.size(); ++k) out[k] = axis == 0 ? m[k].x : axis == 1 ? m[k].y : m[k].z;
   };
-  return integrate_density(surface, {}, false, component, {.absolute = tolerance});
+  return integrate_density(surface, {}, {}, component, {.absolute = tolerance});
 }
 
 } // namespace brdfplot

@@ -32,6 +32,10 @@ const CutRays::Ends& CutRays::at(double psi) {
   const auto place = [](double r) { return r == infinity ? 1 : r / (spread + r); };
   Ends ends = {{place(reach.from), switches_.size()}, {place(reach.to), switches_.size()}};
   const bool runs = ends[0].z < ends[1].z;
+  for (std::size_t k = 0; runs && k < frame_.radii().size(); ++k) {
+    const double z = place(frame_.radii()[k]);
+    if (z > ends[0].z && z < ends[1].z) ends.push_back({z, switches_.size() + 1 + k});
+  }
   for (std::size_t k = 0; runs && k < switches_.size(); ++k) add_sign_changes(k, ends);
   put_in_order(ends);
   return rays_.emplace(psi, std::move(ends)).first->second;

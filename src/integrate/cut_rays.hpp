@@ -13,7 +13,8 @@
 
 namespace brdfplot {
 
-/// The rays u = r (cos psi, sin psi), r = spread z / (1 - z), cut where switches change their signs.
+/// The rays u = r (cos psi, sin psi), r = spread z / (1 - z), cut where switches change their signs and at the frame's
+/// radii.
 class CutRays {
 public:
   /// From where to where a ray runs.
@@ -22,7 +23,8 @@ public:
   static constexpr double spread = 2;
   static constexpr double same_place = 1e-6; ///< of a ray's end: sign changes closer than that have no order
 
-  /// Where two parts of a ray meet, or its end: in z, and which switch changes its sign there.
+  /// Where two parts of a ray meet, or its end: in z, and which switch changes its sign there; after the switches comes
+  /// what ends a ray, then the radii.
   struct End {
     double z;
     std::size_t crossed;

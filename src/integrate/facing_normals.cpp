@@ -21,15 +21,16 @@ struct Line {
 /// L of m~ = mean + L u, and the lines of the directions: their horizons, and where there are kinks.
 class Frame {
 public:
-  Frame(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions, bool kinked) : map_(map) {
+  Frame(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions, const NormalKinks& kinks)
+      : map_(map), radii_(kinks.radii), parts_(kinks.anywhere ? 8 : 1) {
     std::vector<double> cosines; // of the mesosurface
     for (const Direction& omega : directions) {
       const double c = map.project(omega).c;
       horizons_.push_back({map.on_unit_surface(omega), c});
       cosines.push_back(omega.z - omega.x * mesosurface[0] - omega.y * mesosurface[1]);
-      if (kinked) kinks_.push_back({horizons_.back().v, c - 2 * cosines.back()});
+      if (kinks.lines) kinks_.push_back({horizons_.back().v, c - 2 * cosines.back()});
     }
-    if (!kinked || directions.size() != 2) return;
+    if (!kinks.lines || directions.size() != 2) return;
     const Line &o = horizons_[0], &i = horizons_[1];
     kinks_.push_back({{cosines[0] * i.v[0] - cosines[1] * o.v[0], cosines[0] * i.v[1] - cosines[1] * o.v[1]},
                       cosines[0] * i.level - cosines[1] * o.level});
@@ -76,6 +77,11 @@ public:
       const double w = std::atan2(std::fabs(along), std::fabs(line.level));
       if (along * line.level > 0 && w > end && w < begin) cuts.push_back(w);
     }
+    for (const double r : radii_) {
+      const double w = std::atan2(1, r);
+      if (w > end && w < begin) cuts.push_back(w);
+    }
+    for (int k = 1; k < parts_; ++k) cuts.push_back(end + (begin - end) * k / parts_);
     std::ranges::sort(cuts);
     return cuts;
   }
@@ -94,6 +100,7 @@ public:
       const Line& one = lines[k];
       cut_across(one.v[0], one.v[1]);
       for (const double r : {0.25, 1.0, 4.0}) cut_at_distance(one, r, cuts);
+      for (const double r : radii_) cut_where_crossed(one, r, cuts);
       for (std::size_t other = 0; other < k; ++other) {
         const Line& two = lines[other];
         cut_across(one.v[0] * two.level - two.v[0] * one.level, one.v[1] * two.level - two.v[1] * one.level);
@@ -109,24 +116,31 @@ public:
   }
 
 private:
-  /// A line close to the centre, as a horizon at grazing, sweeps over the mass within a small angle, which no rule sees
-  /// unless it is cut where the line is at a distance r.
-  static void cut_at_distance(const Line& line, double r, std::vector<double>& cuts) {
+  /// Where a line enters and leaves the circle of radius r.
+  static void cut_where_crossed(const Line& line, double r, std::vector<double>& cuts) {
     const double norm = std::hypot(line.v[0], line.v[1]), level = std::fabs(line.level);
-    if (norm == 0 || norm < 8 * level) return;
+    if (!(level < norm * r)) return;
     const double side = line.level < 0 ? -1 : 1;
     const double psi = std::atan2(side * line.v[1], side * line.v[0]), turn = std::acos(level / (norm * r));
     for (const double turned : {-turn, turn}) cuts.push_back(std::remainder(psi + turned, 2 * pi));
   }
 
+  /// A line close to the centre, as a horizon at grazing, sweeps over the mass within a small angle, which no rule sees
+  /// unless it is cut where the line is at a distance r.
+  static void cut_at_distance(const Line& line, double r, std::vector<double>& cuts) {
+    if (std::hypot(line.v[0], line.v[1]) >= 8 * std::fabs(line.level)) cut_where_crossed(line, r, cuts);
+  }
+
   const SlopeMap& map_;
+  const std::vector<double>& radii_;
+  int parts_; ///< of a ray, at least: where it just crosses a kink twice no node may lie between
   std::vector<Line> horizons_, kinks_;
 };
 
 /// The integral along one ray, over w = acot r: infinity is at 0, where numbers are dense.
 class Ray {
 public:
-  Ray(const Frame& frame, const Integrand& f) : frame_(frame), f_(f) {}
+  Ray(const Frame& frame, const Integrand& f, Jumps jumps) : frame_(frame), f_(f), jumps_(jumps) {}
 
   Estimate operator()(double psi, const Tolerance& tolerance) {
     const double cos_psi = std::cos(psi);
@@ -142,7 +156,7 @@ public:
     };
     const auto cuts = frame_.cuts_of_ray(cos_psi, sin_psi);
     if (cuts.empty()) return {};
-    if (cuts.front() > 0) return integrate(over_w, cuts, tolerance);
+    if (cuts.front() > 0) return integrate(over_w, cuts, tolerance, most_evaluations, jumps_);
     constexpr double largest_slope = 1e65; // before the cube of z_m ends
     const double tail = power_tail(
         [&](double r) {
@@ -153,12 +167,14 @@ public:
         },
         largest_slope);
     if (std::isinf(tail)) return {tail, tail, 1};
-    Estimate estimate = integrate(over_w, cuts, tolerance);
+    Estimate estimate = integrate(over_w, cuts, tolerance, most_evaluations, jumps_);
     estimate.error += tail;
     return estimate;
   }
 
 private:
+  static constexpr std::size_t most_evaluations = 100000;
+
   /// The integrand over r at `slopes_`.
   void evaluate(double cos_psi, double sin_psi, double* y) {
     const std::size_t n = slopes_.size();
@@ -171,6 +187,7 @@ private:
 
   const Frame& frame_;
   const Integrand& f_;
+  Jumps jumps_;
   std::vector<double> slopes_;
   std::vector<Direction> normals_;
   std::vector<double> values_;
@@ -179,9 +196,10 @@ private:
 } // namespace
 
 Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std::span<const Direction> directions,
-                               bool kinked, const Integrand& f, const Tolerance& tolerance) {
-  const Frame frame(map, mesosurface, directions, kinked);
-  Ray ray(frame, f);
+                               const NormalKinks& kinks, const Integrand& f, const Tolerance& tolerance) {
+  const Jumps jumps = kinks.anywhere ? Jumps::possible : Jumps::none;
+  const Frame frame(map, mesosurface, directions, kinks);
+  Ray ray(frame, f, jumps);
   std::size_t evaluations = 0;
   double worst_ray = 0;
   const Tolerance of_ray{0.05 * tolerance.absolute, std::max(1e-13, 0.05 * tolerance.relative)};
@@ -196,7 +214,7 @@ Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std
     }
   };
   Estimate estimate =
-      integrate(outer, frame.cuts_of_turn(), {0.5 * tolerance.absolute, 0.5 * tolerance.relative}, 4000);
+      integrate(outer, frame.cuts_of_turn(), {0.5 * tolerance.absolute, 0.5 * tolerance.relative}, 4000, jumps);
   if (std::isinf(worst_ray)) return {worst_ray, worst_ray, evaluations};
   estimate.error += 2 * pi * worst_ray;
   estimate.evaluations = evaluations;

@@ -110,7 +110,7 @@ ColourEstimate integrate_rays(const SlopeFrame& frame, const NormalIntegrand& f,
 }
 
 Estimate integrate_charts_facing(const SlopeFrame& frame, const FacingIntegrand& f, double tolerance) {
-  if (f.switches.empty()) {
+  if (f.switches.empty() && frame.radii().empty()) {
     FacingCharts charts(frame, f);
     return integrate_charts(frame, f.value, 1, charts, charts.rectangles(), tolerance).channel(0);
   }

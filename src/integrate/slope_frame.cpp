@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace brdfplot {
@@ -41,9 +42,10 @@ SlopeFrame::Reach first_part(double k2, double k1, double k0, const SlopeFrame::
 
 } // namespace
 
-SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o, const Vec2& mesosurface)
+SlopeFrame::SlopeFrame(const SlopeMap& map, const Direction& omega_o, const Vec2& mesosurface,
+                       std::vector<double> radii)
     : projection_(map.project(omega_o)), determinant_(map.determinant()), mean_{map.mean_x, map.mean_y},
-      c_mesosurface_(omega_o.z - omega_o.x * mesosurface[0] - omega_o.y * mesosurface[1]) {
+      c_mesosurface_(omega_o.z - omega_o.x * mesosurface[0] - omega_o.y * mesosurface[1]), radii_(std::move(radii)) {
   // Q^-1 is factored by hand where its Cholesky factor is known exactly: (1 - r^2) must not cancel.
   Eigen::Matrix2d factor;
   factor << map.alpha_x, 0, map.correlation * map.alpha_y, map.decorrelation() * map.alpha_y;

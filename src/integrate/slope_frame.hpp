@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace brdfplot {
 
@@ -16,7 +17,8 @@ class SlopeFrame {
 public:
   /// `mesosurface`: the slope of the surface that the viewer and the light are above, which is another than the mean of
   /// these slopes where they are those of a part. Such a part may be seen from below its own: c() < 0.
-  SlopeFrame(const SlopeMap& map, const Direction& omega_o, const Vec2& mesosurface);
+  /// `radii`: |u|, ascending, at which an integral is to be cut.
+  SlopeFrame(const SlopeMap& map, const Direction& omega_o, const Vec2& mesosurface, std::vector<double> radii = {});
   SlopeFrame(const SlopeMap& map, const Direction& omega_o) : SlopeFrame(map, omega_o, Vec2{map.mean_x, map.mean_y}) {}
 
   Direction normal(double u1, double u2) const;
@@ -31,6 +33,7 @@ public:
 
   double c() const { return projection_.c; }
   double s() const { return projection_.s; }
+  const std::vector<double>& radii() const { return radii_; }
   /// Horizon of masking: facets with u_1 >= a face away. Infinite at the normal.
   double a() const { return s() > 0 ? c() / s() : infinity; }
 
@@ -64,6 +67,7 @@ private:
   double c_mesosurface_;
   double plane_;
   bool symmetric_;
+  std::vector<double> radii_;
 };
 
 } // namespace brdfplot

@@ -3,7 +3,10 @@
 #include "math/atan_deficit.hpp"
 #include "math/gauss_kronrod.hpp"
 
+#include <algorithm>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace brdfplot {
 
@@ -124,19 +127,26 @@ Estimate far_by_rule(const Density& density, double a) {
   return estimate;
 }
 
-constexpr std::array<double, 2> unit_interval = {0, 1};
+/// Ascending, with 0 and 1.
+std::vector<double> put_in_order(std::vector<double> cuts) {
+  cuts.insert(cuts.end(), {0, 1});
+  std::ranges::sort(cuts);
+  return cuts;
+}
 
-Estimate near_adaptive(const Density& density, double tolerance) {
+Estimate near_adaptive(const Density& density, const std::vector<double>& radii, double tolerance) {
   const auto f = [&](const double* x, double* y, std::size_t n) {
     std::array<double, near_count> r{};
     for (std::size_t k = 0; k < n; ++k) r[k] = NearMap::slope(x[k]);
     density(r.data(), y, n);
     for (std::size_t k = 0; k < n; ++k) y[k] = y[k] > 0 ? y[k] * NearMap::weight(x[k]) : 0;
   };
-  return integrate(f, unit_interval, {.absolute = tolerance, .relative = 1e-14});
+  std::vector<double> cuts;
+  for (const double r : radii) cuts.push_back(NearMap::spread / (NearMap::spread + r * r));
+  return integrate(f, put_in_order(std::move(cuts)), {.absolute = tolerance, .relative = 1e-14});
 }
 
-Estimate far_adaptive(const Density& density, double a, double tolerance) {
+Estimate far_adaptive(const Density& density, const std::vector<double>& radii, double a, double tolerance) {
   const double scale = mass * std::hypot(a, 1.0);
   const auto f = [&](const double* x, double* y, std::size_t n) {
     std::array<double, near_count> r{}, t{};
@@ -148,8 +158,10 @@ Estimate far_adaptive(const Density& density, double a, double tolerance) {
     for (std::size_t k = 0; k < n; ++k)
       y[k] = y[k] > 0 ? y[k] * 2 * t[k] * t[k] * atan_deficit(t[k] / a) * scale / (x[k] * x[k]) : 0;
   };
-  const std::array<double, 3> cuts = {0, scale / (scale + 8 * a), 1}; // the weight changes its nature at t ~ a
-  return integrate(f, cuts, {.absolute = tolerance, .relative = 1e-14});
+  std::vector<double> cuts = {scale / (scale + 8 * a)}; // the weight changes its nature at t ~ a
+  for (const double r : radii)
+    if (r > a) cuts.push_back(scale / (scale + std::sqrt((r - a) * (r + a))));
+  return integrate(f, put_in_order(std::move(cuts)), {.absolute = tolerance, .relative = 1e-14});
 }
 
 /// Replaces an estimate by a better one.
@@ -168,12 +180,13 @@ Estimate visible_area(const Distribution& distribution, const SlopeFrame& frame,
   const double s = frame.s();
   const double a = std::fabs(frame.a());
   const bool seen_from_aside = a < 1e75; // beyond, Lambda < 1e-149
-  Estimate all = c > 0 ? near_by_rule(density) : Estimate{};
+  const std::vector<double>& radii = frame.radii();
+  Estimate all = c > 0 && radii.empty() ? near_by_rule(density) : Estimate{0, c > 0 ? infinity : 0, 0};
   Estimate negative{0, seen_from_aside ? infinity : 0, 0};
-  if (seen_from_aside && a > 1e-6 && scale_of(a) < scale_count) negative = far_by_rule(density, a);
+  if (radii.empty() && seen_from_aside && a > 1e-6 && scale_of(a) < scale_count) negative = far_by_rule(density, a);
   if (!(c * all.error + s * negative.error <= tolerance)) {
-    if (c > 0) improve(all, [&] { return near_adaptive(density, 0.5 * tolerance / c); });
-    if (seen_from_aside) improve(negative, [&] { return far_adaptive(density, a, 0.5 * tolerance / s); });
+    if (c > 0) improve(all, [&] { return near_adaptive(density, radii, 0.5 * tolerance / c); });
+    if (seen_from_aside) improve(negative, [&] { return far_adaptive(density, radii, a, 0.5 * tolerance / s); });
   }
   // The weight of the second integral is 2 r^2 far out, and the fourth power of a normal's cosine ends soon after.
   const auto far_out = [&](double r) {

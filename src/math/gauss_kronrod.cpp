@@ -33,6 +33,11 @@ GaussKronrod<N> make() {
       for (std::size_t j = 0; j < 4; ++j) rule.before[j][at] = coefficient(highest - rule.apart - j);
     }
   }
+  for (std::size_t k = 0; k < N; ++k) {
+    rule.at_end[k] = 1;
+    for (std::size_t j = 0; j < N; ++j)
+      if (j != k) rule.at_end[k] *= (1 - rule.x[j]) / (rule.x[k] - rule.x[j]);
+  }
   return rule;
 }
 

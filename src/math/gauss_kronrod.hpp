@@ -24,6 +24,7 @@ struct GaussKronrod {
   /// functions lack every second one), and of as many lower ones.
   std::array<std::array<double, N>, 2> last, next_to_last;
   std::array<std::array<double, N>, 4> before;
+  std::array<double, N> at_end; ///< weights of the polynomial through the nodes at x = 1
 
   static const GaussKronrod& rule();
 };

@@ -84,22 +84,28 @@ void add_pieces(const Function& f, const Piece& whole, double accepted, int halv
   add_pieces(f, right, accepted, halvings - 1, all);
 }
 
-/// Of f r^2 over ln r, closely enough for it and, with `seen`, for f r^3 too.
-std::vector<Piece> pieces_of(const std::function<double(double)>& density, bool seen) {
+/// Of f r^2 over ln r, closely enough for it and, with `seen`, for f r^3 too. Cut at `radii`.
+std::vector<Piece> pieces_of(const std::function<double(double)>& density, const std::vector<double>& radii,
+                             bool seen) {
   const auto ground = [&](double x) { return density(std::exp(x)) * std::exp(x) * std::exp(x); };
   const auto weighted = [&](double x) { return ground(x) * (seen ? 1 + std::exp(x) : 1); };
-  std::vector<double> coarse;
-  for (double x = lowest; x <= highest; x += step) coarse.push_back(weighted(x));
+  std::vector<double> places, coarse;
+  for (double x = lowest; x <= highest; x += step) places.push_back(x);
+  for (const double r : radii) places.push_back(std::log(r));
+  std::ranges::sort(places);
+  for (const double x : places) coarse.push_back(weighted(x));
   double sum = 0;
-  for (const double value : coarse) sum += step * value;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) sum += (places[k + 1] - places[k]) * coarse[k];
   const double negligible = 1e-19 * sum;
   const auto counts = [&](double value) { return value > negligible; };
   const auto first = std::ranges::find_if(coarse, counts) - coarse.begin();
   const auto last = std::find_if(coarse.rbegin(), coarse.rend(), counts).base() - coarse.begin();
   std::vector<Piece> of_weighted, of_ground;
   for (auto k = std::max<std::ptrdiff_t>(first - 1, 0); k < last; ++k) {
-    const double x = lowest + step * static_cast<double>(k);
-    add_pieces(weighted, piece_of(x, x + step, false, weighted), 1e-14 * sum, most_halvings, of_weighted);
+    const auto at = static_cast<std::size_t>(k);
+    if (at + 1 == places.size() || !(places[at] < places[at + 1])) continue;
+    add_pieces(weighted, piece_of(places[at], places[at + 1], false, weighted), 1e-14 * sum, most_halvings,
+               of_weighted);
   }
   for (const Piece& piece : of_weighted) of_ground.push_back(piece_of(piece.from, piece.to, false, ground));
   return of_ground;
@@ -155,7 +161,7 @@ RadialSlopes::RadialSlopes(const Component& component)
   if (infinite) visible_ = false;
   const bool tabulates = !within_ || (!visible_slope_ && visible_);
   if (!tabulates) return;
-  pieces_ = pieces_of(density_, visible_);
+  pieces_ = pieces_of(density_, component.radii, visible_);
   for (const Piece& piece : pieces_) ground_.add(piece);
   if (!visible_ || visible_slope_) return;
   // Seen from the horizon slopes count by their size, and what is seen is known without the table.

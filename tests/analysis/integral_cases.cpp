@@ -60,6 +60,27 @@ ModelChoice of_several_mesosurfaces(Draw& draw) {
   return mixture(parts).distribution;
 }
 
+/// A shape as users write it, half of the time; else a distribution of the list.
+ModelChoice shape_formula(Draw& draw) {
+  if (draw.chance(0.5)) return distribution(draw);
+  const double alpha = draw.log_between(0.05, 3), ratio = draw.chance(0.4) ? draw.log_between(0.1, 10) : 1;
+  ModelChoice choice =
+      general("custom", alpha, alpha * ratio, draw.chance(0.3) ? draw.between(-0.9, 0.9) : 0, mean_slope(draw))
+          .distribution;
+  choice.values.set("shape", draw.one_of<std::string>({
+                                 "exp(-t2)",
+                                 "1 / (1 + t2)^3",
+                                 "exp(-t)",
+                                 "t2 * exp(-t2^1.1)",
+                                 "exp(-t2) + 0.01 * exp(-t2 / 30)",
+                                 "exp(-t2) * (1 + 0.9 * sin(6 * t))",
+                                 "max(0, 1 - t2)",
+                                 "max(exp(-t2), 0.1 * exp(-t2 / 9))",
+                                 "t2 < 1 ? 1 : 0",
+                             }));
+  return choice;
+}
+
 ModelChoice fresnel(Draw& draw) {
   ModelChoice choice{.type = draw.one_of<std::string>({"none", "none", "schlick", "dielectric", "conductor"}),
                      .values = {}};
@@ -92,16 +113,50 @@ std::string describe_choice(const ModelChoice& choice) {
 
 namespace {
 
-std::optional<IntegralCase> case_of(std::uint64_t number, ModelChoice (*distribution_of)(Draw&)) {
-  Draw draw(number);
-  TermDescription description;
-  description.distribution = distribution_of(draw);
+ModelChoice masking(Draw& draw, const ModelChoice& distribution) {
   std::vector<std::string> maskings = {"smith",    "smith",          "smith",
                                        "v_cavity", "smith_rational", "implicit",
                                        "kelemen",  "schlick_smith",  "schlick_smith_rational"};
-  if (description.distribution.type == "sheen") maskings.insert(maskings.end(), 4, "sheen_fit");
-  if (description.distribution.type == "student_t") maskings.insert(maskings.end(), 4, "student_t_fit");
-  description.masking.type = draw.one_of(maskings);
+  if (distribution.type == "sheen") maskings.insert(maskings.end(), 4, "sheen_fit");
+  if (distribution.type == "student_t") maskings.insert(maskings.end(), 4, "student_t_fit");
+  return {.type = draw.one_of(maskings), .values = {}};
+}
+
+/// A formula of Lambda or of G1 as users write them: copied from renderers, invented, with jumps and corners.
+ModelChoice masking_formula(Draw& draw, const ModelChoice&) {
+  ModelChoice choice{.type = "custom", .values = {}};
+  if (draw.chance(0.5))
+    choice.values.set("lambda", draw.one_of<std::string>({
+                                    "(sqrt(1 + alpha^2 * tan_theta^2) - 1) / 2",
+                                    "(sqrt(1 + alpha_x * alpha_y * tan_theta^2) - 1) / 2",
+                                    "a < 1.6 ? (1 - 1.259 * a + 0.396 * a^2) / (3.535 * a + 2.181 * a^2) : 0",
+                                    "0.3 * tan_theta",
+                                    "exp(-a) / (2 * a)",
+                                    "max(0, tan_theta - 0.5)",
+                                    "theta > 1 ? tan_theta : 0.2 * tan_theta",
+                                    "0.3 * (1 + cos(phi)) * tan_theta",
+                                }));
+  else
+    choice.values.set("g1", draw.one_of<std::string>({
+                                "min(1, 2 * cos_theta_m * cos_theta / o_dot_m)",
+                                "min(1, cos_theta / o_dot_m)",
+                                "1 / (1 + 0.5 * tan_theta)",
+                                "2 * cos_theta / (cos_theta + sqrt(alpha^2 + (1 - alpha^2) * cos_theta^2))",
+                                "cos_theta / (cos_theta * (1 - alpha / 2) + alpha / 2)",
+                                "o_dot_m * cos_theta^0.25",
+                                "min(cos_theta, cos_theta_m)",
+                                "1 - abs(cos_theta - cos_theta_m)",
+                                "theta < 0.7 ? 1 : 0.8 * cos_theta",
+                            }));
+  return choice;
+}
+
+std::optional<IntegralCase> case_of(std::uint64_t number, ModelChoice (*distribution_of)(Draw&),
+                                    ModelChoice (*masking_of)(Draw&, const ModelChoice&) = masking) {
+  Draw draw(number);
+  TermDescription description;
+  description.distribution = distribution_of(draw);
+  description.masking = masking_of(draw, description.distribution);
   const std::string shadowing = draw.one_of<std::string>(
       {"none", "separable", "minimum", "height_correlated", "direction_correlated", "height_direction_correlated"});
   const std::string factor = shadowing.find("direction") != std::string::npos
@@ -121,7 +176,7 @@ std::optional<IntegralCase> case_of(std::uint64_t number, ModelChoice (*distribu
     const Material material = build(description);
     if (!(material.surface().slopes().project(o).c > 0)) return {};
     std::string text = "case " + std::to_string(number) + ": " + describe_choice(description.distribution) + " | " +
-                       description.masking.type + " | " + shadowing + " " + factor + " | " +
+                       describe_choice(description.masking) + " | " + shadowing + " " + factor + " | " +
                        describe_choice(description.fresnel) + " | theta_o=" + format_number(theta / degree) +
                        "deg o=" + format_number(o.x) + "," + format_number(o.y) + "," + format_number(o.z) + " | " +
                        integrals()[static_cast<std::size_t>(integral)].name + " tolerance " + format_number(tolerance);
@@ -137,6 +192,10 @@ std::optional<IntegralCase> random_case(std::uint64_t number) { return case_of(n
 
 std::optional<IntegralCase> random_tilted_case(std::uint64_t number) {
   return case_of(number, of_several_mesosurfaces);
+}
+
+std::optional<IntegralCase> random_formula_case(std::uint64_t number) {
+  return case_of(number, shape_formula, number % 3 == 0 ? masking : masking_formula);
 }
 
 namespace {

@@ -55,6 +55,10 @@ std::optional<IntegralCase> random_case(std::uint64_t number);
 /// below.
 std::optional<IntegralCase> random_tilted_case(std::uint64_t number);
 
+/// The same of shapes and masking functions that are formulas of a user's: smooth ones, and ones with corners and jumps
+/// that nobody declares.
+std::optional<IntegralCase> random_formula_case(std::uint64_t number);
+
 /// albedo, furnace, projected_area, visible_norm or weak_furnace (which Eq. 36 says is the same as visible_norm), to
 /// so much of the tolerance of the case.
 RayIntegral truth_of(const IntegralCase& one, double of_tolerance = 1);

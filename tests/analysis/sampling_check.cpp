@@ -44,7 +44,10 @@ ModelChoice random_distribution(Random& random) {
   if (type == "student_t") choice.values.set("gamma", between(random, 1.7, 8));
   if (type == "exponential_power") choice.values.set("p", between(random, 0.3, 3));
   if (type == "gtr") choice.values.set("gamma", between(random, 1.2, 4));
-  if (type == "custom") choice.values.set("shape", std::string("t^2 * exp(-t)"));
+  if (type == "custom")
+    choice.values.set("shape",
+                      one_of<std::string>(random, {"t^2 * exp(-t)", "exp(-((t - 1) / 0.01)^2)", "max(0, 1 - t2)",
+                                                   "exp(-t2) + 1000 * exp(-1e4 * t2)", "t2 < 1 ? 1 : 0"}));
   return choice;
 }
 

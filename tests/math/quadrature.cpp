@@ -13,12 +13,13 @@ using namespace brdfplot;
 namespace {
 
 template <class F>
-Estimate integral(const F& f, std::vector<double> points, Tolerance tolerance, std::size_t budget = 100000) {
+Estimate integral(const F& f, std::vector<double> points, Tolerance tolerance, std::size_t budget = 100000,
+                  Jumps jumps = Jumps::none) {
   return integrate(
       [&](const double* x, double* y, std::size_t n) {
         for (std::size_t k = 0; k < n; ++k) y[k] = f(x[k]);
       },
-      points, tolerance, budget);
+      points, tolerance, budget, jumps);
 }
 
 } // namespace
@@ -75,4 +76,20 @@ TEST_CASE("a jump just beside a cut is not overlooked") {
     INFO("at " << jump);
     CHECK(std::fabs(estimate.value - (jump + 0.5 * jump * jump)) <= estimate.error);
   }
+}
+
+TEST_CASE("where jumps are possible none is overlooked, up to the ends") {
+  for (double jump = 1e-9; jump < 1; jump *= 1.037)
+    for (const bool at_end : {false, true}) {
+      const double share = at_end ? 1 - jump : jump;
+      const auto estimate = integral([=](double x) { return x < share ? 1 + x : 0.0; }, {0, 0.4, 1}, {.absolute = 1e-9},
+                                     100000, Jumps::possible);
+      INFO("at " << share);
+      CHECK(std::fabs(estimate.value - (share + 0.5 * share * share)) <= estimate.error);
+      CHECK(estimate.error <= 1e-9);
+    }
+  const auto smooth =
+      integral([](double x) { return std::exp(-x); }, {0, 1}, {.absolute = 1e-12}, 100, Jumps::possible);
+  CHECK(smooth.evaluations == 23);
+  CHECK(std::fabs(smooth.value + std::expm1(-1)) <= smooth.error);
 }

@@ -13,9 +13,8 @@ auto sum_over_components(const Distribution& distribution, const Direction& omeg
                          const Function& integral) {
   const auto parts = components(distribution);
   const double of_part = tolerance / static_cast<double>(parts.size());
-  decltype(integral(parts[0], SlopeFrame(parts[0].frame, omega_o, parts[0].mesosurface), tolerance)) sum;
-  for (const Component& component : parts)
-    sum.add(integral(component, SlopeFrame(component.frame, omega_o, component.mesosurface), of_part));
+  decltype(integral(parts[0], parts[0].seen_from(omega_o), tolerance)) sum;
+  for (const Component& component : parts) sum.add(integral(component, component.seen_from(omega_o), of_part));
   return sum;
 }
 

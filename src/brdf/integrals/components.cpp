@@ -48,7 +48,7 @@ std::vector<Component> components(const Distribution& distribution) {
         if constexpr (requires { d.parts; }) {
           for (const auto& part : d.parts)
             for (const Component& one : std::visit([](const auto& of) { return components(of); }, part.distribution))
-              all.push_back({part.weight * one.weight, one.distribution, one.frame, {}});
+              all.push_back({part.weight * one.weight, one.distribution, one.frame, {}, one.radii});
         } else if constexpr (requires { d.profile.parts(); }) {
           for (const auto& [weight, profile] : d.profile.parts()) {
             const SlopeMap frame{.alpha_x = profile.width(), .alpha_y = profile.width()};
@@ -56,6 +56,7 @@ std::vector<Component> components(const Distribution& distribution) {
           }
         } else {
           all.push_back({1, d, frame_of(d), {}});
+          if constexpr (requires { d.shape.radii; }) all.back().radii = d.shape.radii;
         }
         for (Component& one : all) one.mesosurface = {d.slopes.mean_x, d.slopes.mean_y};
         return all;

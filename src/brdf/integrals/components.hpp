@@ -2,6 +2,7 @@
 /// The parts of a distribution, each with a frame of slopes of its own.
 #pragma once
 
+#include "integrate/slope_frame.hpp"
 #include "microfacet/distributions.hpp"
 
 #include <vector>
@@ -12,10 +13,13 @@ namespace brdfplot {
 struct Component {
   double weight = 1;
   Distribution distribution;
-  SlopeMap frame;     ///< slopes about as wide as those of D_k
-  Vec2 mesosurface{}; ///< slope of that of the whole, which may be another than the frame's
+  SlopeMap frame;              ///< slopes about as wide as those of D_k
+  Vec2 mesosurface{};          ///< slope of that of the whole, which may be another than the frame's
+  std::vector<double> radii{}; ///< norms in the frame, ascending, at which integrals are to be cut
 
   bool on_mesosurface() const { return frame.mean_x == mesosurface[0] && frame.mean_y == mesosurface[1]; }
+
+  SlopeFrame seen_from(const Direction& omega_o) const { return {frame, omega_o, mesosurface, radii}; }
 
   /// w_k D_k (1/sr).
   double density(const Direction& omega_m) const;

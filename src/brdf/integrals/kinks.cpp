@@ -186,6 +186,8 @@ std::vector<Switch> masking_kinks(const Microsurface& surface, const Direction& 
 }
 
 bool has_masking_line(const Microsurface& surface) {
+  const auto has_radii = [](const Component& one) { return !one.radii.empty(); };
+  if (std::ranges::any_of(components(surface.distribution), has_radii)) return false;
   return has_one_mesosurface(surface.distribution) && std::visit(
                                                           [](const auto& m) {
                                                             return requires { m.kink_is_line; };

@@ -37,7 +37,7 @@ bool is_aligned(const Distribution& distribution);
 
 /// The kinks of G1(o, m) as a function of the normal m.
 std::vector<Switch> masking_kinks(const Microsurface& surface, const Direction& omega_o);
-/// Whether one of them is the line u_1 = -a of each component's frame, beside masking_kinks().
+/// Whether one of them is the line u_1 = -a of each component's frame, none of which has radii, beside masking_kinks().
 bool has_masking_line(const Microsurface& surface);
 
 /// The kinks of G2 F, h the half vector. References to `surface` are kept.

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/number.hpp"
 #include "math/quadrature.hpp"
+#include "microfacet/distributions/radial_structure.hpp"
 #include "microfacet/remembered.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace brdfplot {
@@ -53,10 +55,9 @@ double known(const Formula& formula, double t2) {
 }
 
 /// f where the integrals may step over something: closely in ln t2, and in t2 around 1.
-struct Samples {
-  std::vector<double> t2s, values;
-
+struct Samples : RadialSamples {
   explicit Samples(const Formula& formula) {
+    density = [&formula](double t2) { return checked(formula, t2); };
     for (int k = -3000; k <= 3000; ++k) t2s.push_back(std::pow(10.0, k * 0.01));
     for (int k = 1; k <= 4000; ++k) t2s.push_back(k * 0.01);
     std::ranges::sort(t2s);
@@ -64,7 +65,6 @@ struct Samples {
     (void)checked(formula, 0);
     for (const double t2 : t2s) values.push_back(checked(formula, t2));
   }
-  double mass_at(std::size_t k) const { return t2s[k] * values[k]; } ///< per unit of ln t2
   double mass_before(std::size_t k) const {
     return 0.5 * (mass_at(k - 1) + mass_at(k)) * std::log(t2s[k] / t2s[k - 1]);
   }
@@ -91,6 +91,20 @@ std::vector<double> peaks(const Samples& samples, std::size_t most = 20) {
   std::ranges::sort(cuts);
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
+}
+
+/// The norms at which an integral over slopes is to be cut; `sharp`: squared ones, at which f is not smooth.
+std::vector<double> radii_of(const Samples& samples, const std::vector<double>& sharp) {
+  std::vector<double> radii = cuts_between_scales(samples, sharp);
+  radii.insert(radii.end(), sharp.begin(), sharp.end());
+  constexpr std::size_t most = 64;
+  if (radii.size() > most)
+    throw ShapeProblem{"the shape has " + std::to_string(sharp.size()) + " jumps and corners, and " +
+                       std::to_string(radii.size() - sharp.size()) +
+                       " places where an integral would have to be cut besides; accepted: 64 of both"};
+  for (double& r : radii) r = std::sqrt(r);
+  std::ranges::sort(radii);
+  return radii;
 }
 
 /// Integrals over slopes look around alpha.
@@ -138,7 +152,7 @@ double mass(const Formula& formula, const std::vector<double>& peaks, double pow
       y[k] = t2 * checked(formula, t2);
     }
   };
-  Estimate whole = integrate(integrand, cuts, {.relative = 1e-13});
+  Estimate whole = integrate(integrand, cuts, {.relative = 1e-13}, 100000, Jumps::possible);
   if (power < infinity) whole.value += far * checked(formula, far) / (power - 1);
   if (!(whole.value >= 1e-50 && whole.value <= 1e50))
     throw ShapeProblem{whole.value == 0 ? "the shape is 0 wherever it was looked at"
@@ -154,7 +168,11 @@ CustomShape make(const Formula& formula, bool normalised) {
   CustomShape::Tail tail;
   DensityHints hints;
   const Samples samples(formula);
+  const std::vector<double> sharp = jumps_and_corners(samples);
+  std::vector<double> radii = radii_of(samples, sharp);
   hints.cuts = peaks(samples);
+  hints.cuts.insert(hints.cuts.end(), sharp.begin(), sharp.end());
+  std::ranges::sort(hints.cuts);
   hints.power = tail.power = falling_power(formula);
   const double whole = mass(formula, hints.cuts, tail.power);
   const double scale = normalised ? std::numbers::inv_pi / whole : 1;
@@ -165,7 +183,7 @@ CustomShape make(const Formula& formula, bool normalised) {
     const double f = known(formula, t2);
     return f < smallest ? -infinity : std::log(scale * f);
   };
-  return {formula, scale, tail, ALambdaTable(log_density, hints)};
+  return {formula, scale, tail, std::move(radii), ALambdaTable(log_density, hints)};
 }
 
 } // namespace

@@ -6,13 +6,16 @@
 #include "microfacet/a_lambda_table.hpp"
 #include "microfacet/distributions/shape_invariant.hpp"
 
+#include <vector>
+
 namespace brdfplot {
 
 /// P22 = f(t2) / (pi int_0^inf f dt2) at alpha = 1 (Heitz 2014, Eq. 87), or P22 = f as it is written (`normalised`
 /// false), as a shader may have it that is no density of a heightfield's slopes: `check` tells. f is a formula of t2,
 /// the squared norm of the stretched slope, and of its root t. f must be finite from t2 = 0 on, not negative, and have
 /// a finite mass and mean slope; half of the mass must lie within a t2 between 1e-4 and 1e4. Beyond t2 = 1e30 it is
-/// taken for the power of t2 that it has become, or for 0.
+/// taken for the power of t2 that it has become, or for 0. It may have up to 64 jumps, corners, and changes of scale
+/// (radii).
 struct CustomShape {
   struct Tail {
     double log_density = 0;  ///< ln of P22 at t2 = 1e30
@@ -23,6 +26,8 @@ struct CustomShape {
   Formula formula;
   double scale = 1; ///< P22 / f, 1 where it is as written
   Tail tail;
+  std::vector<double>
+      radii; ///< t at which integrals are to be cut: jumps, corners, and between widely different scales
   ALambdaTable table;
 
   static ModelSpec about();

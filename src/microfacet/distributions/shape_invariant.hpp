@@ -20,6 +20,7 @@ namespace brdfplot {
 /// - `double slope_within(double u)`, where it is a closed form: the slope within which a share u of the ground lies, u
 /// in [0, 1), at unit roughness; and `visible_slope(c, s, u1, u2)`, where visible slopes (visible_normals.hpp) are one:
 /// both without rejection (sampling/);
+/// - `radii`, ascending, where integrals over slopes of unit roughness are to be cut at some norms;
 /// - `gaussian_slopes` where they are Gaussian, so that variances add; `infinite_variance` where theirs is;
 /// - where random microsurfaces have these slopes: `simulated_surface`, their type (simulation/surface.hpp), and
 /// `sample_visible_slope`, for random walks (microfacet/visible_normals.hpp).
