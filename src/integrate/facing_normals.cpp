@@ -213,8 +213,9 @@ Estimate integrate_over_facing(const SlopeMap& map, const Vec2& mesosurface, std
       evaluations += estimate.evaluations;
     }
   };
-  Estimate estimate =
-      integrate(outer, frame.cuts_of_turn(), {0.5 * tolerance.absolute, 0.5 * tolerance.relative}, 4000, jumps);
+  const std::vector<double> cuts = frame.cuts_of_turn();
+  const std::size_t most = std::max<std::size_t>(4000, 100 * cuts.size());
+  Estimate estimate = integrate(outer, cuts, {0.5 * tolerance.absolute, 0.5 * tolerance.relative}, most, jumps);
   if (std::isinf(worst_ray)) return {worst_ray, worst_ray, evaluations};
   estimate.error += 2 * pi * worst_ray;
   estimate.evaluations = evaluations;

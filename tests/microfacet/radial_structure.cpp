@@ -29,10 +29,11 @@ void check_radii(const std::string& shape, const std::vector<double>& expected) 
 } // namespace
 
 TEST_CASE("smooth shapes of one scale are cut nowhere") {
-  for (const auto* shape : {"exp(-t2)", "1 / (1 + t2)^3", "3 / (1 + t2)^2", "1 / (1 + t2)^1.6", "exp(-t)",
-                            "exp(-sqrt(t))", "t2 * exp(-t2^1.1)", "t^2 * exp(-t)", "exp(-1/t2) / (0.1 + t2^2)",
-                            "exp(-t2) * (1 + 0.9 * sin(6 * t))", "1 / (1 + t2^4)", "exp(-t2^20)", "1 / (1 + t2^40)",
-                            "1 - tanh(1000 * (t - 1))", "exp(-t2) + 0.01 * exp(-t2 / 30)"})
+  for (const auto* shape :
+       {"exp(-t2)", "1 / (1 + t2)^3", "3 / (1 + t2)^2", "1 / (1 + t2)^1.6", "exp(-t)", "exp(-sqrt(t))",
+        "t2 * exp(-t2^1.1)", "t^2 * exp(-t)", "exp(-1/t2) / (0.1 + t2^2)", "exp(-t2) * (1 + 0.9 * sin(6 * t))",
+        "1 / (1 + t2^4)", "exp(-t2^20)", "1 / (1 + t2^40)", "1 - tanh(1000 * (t - 1))",
+        "exp(-t2) + 0.01 * exp(-t2 / 30)", "(0.2 + 6 * exp(-1/t2)) / (1 + t2)^3"})
     check_radii(shape, {});
 }
 

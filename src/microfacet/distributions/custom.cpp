@@ -189,21 +189,22 @@ CustomShape make(const Formula& formula, bool normalised) {
 } // namespace
 
 ModelSpec CustomShape::about() {
-  return {
-      .type = "custom",
-      .doc = "a shape of your own: a formula of t2, the squared slope over alpha^2, and of its root t",
-      .source = "Heitz 2014, Eqs. 73, 87; Akenine-Moller et al. 2018, Eqs. 9.36, 9.49-9.50; normalised and Lambda "
-                "by quadrature",
-      .parameters = {{.key = "shape",
-                      .kind = ParameterKind::formula,
-                      .doc = "density of slopes up to a factor, such as exp(-t2): finite from t2 = 0 on, not "
-                             "negative, falling faster than t2^-1.5; values below 1e-290 count as 0 in Lambda",
-                      .choices = variables()},
-                     {.key = "normalised",
-                      .kind = ParameterKind::boolean,
-                      .fallback = true,
-                      .doc = "whether the density is the shape over its integral, or at alpha = 1 the shape itself: "
-                             "D cos^4 with t2 = tan^2, which has to have the integral 1"}}};
+  return {.type = "custom",
+          .doc = "a shape of your own: a formula of t2, the squared slope over alpha^2, and of its root t",
+          .source = "Heitz 2014, Eqs. 73, 87; Akenine-Moller et al. 2018, Eqs. 9.36, 9.49-9.50; normalised and Lambda "
+                    "by quadrature",
+          .parameters = {
+              {.key = "shape",
+               .kind = ParameterKind::formula,
+               .doc = "density of slopes up to a factor, such as exp(-t2): finite from t2 = 0 on, not "
+                      "negative, falling faster than t2^-1.5, with up to 64 jumps, corners and changes of scale, "
+                      "none of them narrower than a hundredth of t2; values below 1e-290 count as 0 in Lambda",
+               .choices = variables()},
+              {.key = "normalised",
+               .kind = ParameterKind::boolean,
+               .fallback = true,
+               .doc = "whether the density is the shape over its integral, or at alpha = 1 the shape itself: "
+                      "D cos^4 with t2 = tan^2, which has to have the integral 1"}}};
 }
 
 Made<CustomShape> CustomShape::from(const Values& values) {
