@@ -53,19 +53,19 @@ TEST_CASE("narrow peaks are cut out, and none of their neighbours is wider than 
     const char* shape;
     double at, width;
   };
-  for (const auto& [shape, at, width] : {Peak{"exp(-((t - 1) / 0.01)^2)", 1, 0.01},
-                                         {"exp(-((t - 1) / 0.002)^2)", 1, 0.002},
-                                         {"exp(-t2) * (1 + 0.5 * exp(-((t - 1) / 0.01)^2))", 1, 0.01},
-                                         {"exp(-t2) + 1e-3 * exp(-((t - 2) / 0.02)^2)", 2, 0.02},
-                                         {"exp(-t2) + 1000 * exp(-1e4 * t2)", 0, 0.01},
-                                         {"exp(-t2) + exp(-1e4 * t2)", 0, 0.01}}) {
-    INFO(std::string(shape));
+  for (const Peak& peak : {Peak{"exp(-((t - 1) / 0.01)^2)", 1, 0.01},
+                           {"exp(-((t - 1) / 0.002)^2)", 1, 0.002},
+                           {"exp(-t2) * (1 + 0.5 * exp(-((t - 1) / 0.01)^2))", 1, 0.01},
+                           {"exp(-t2) + 1e-3 * exp(-((t - 2) / 0.02)^2)", 2, 0.02},
+                           {"exp(-t2) + 1000 * exp(-1e4 * t2)", 0, 0.01},
+                           {"exp(-t2) + exp(-1e4 * t2)", 0, 0.01}}) {
+    INFO(std::string(peak.shape));
     double before = 0, after = INFINITY;
-    for (const double r : radii(shape)) {
-      if (r <= at) before = r;
-      if (r > at) after = std::min(after, r);
+    for (const double r : radii(peak.shape)) {
+      if (r <= peak.at) before = r;
+      if (r > peak.at) after = std::min(after, r);
     }
-    CHECK(after - before < 100 * width);
+    CHECK(after - before < 100 * peak.width);
   }
 }
 
