@@ -56,7 +56,7 @@ Direction mean_normal(const SlopeMap& map) { return normalized({-map.mean_x, -ma
 using Weight = std::function<void(const std::vector<Direction>& normals, std::vector<double>& weights)>;
 
 /// Those of G1 and G2 as functions of the normal.
-NormalKinks masking_kinks(const Microsurface& surface) {
+NormalKinks kinks_of_normals(const Microsurface& surface) {
   return {.lines = !surface.has_lambda(), .anywhere = !surface.has_lambda() && is_formula(surface.masking)};
 }
 
@@ -157,7 +157,7 @@ Estimate diffuse_brdf(const Microsurface& surface, const Direction& omega_o, con
     }
   };
   const std::array<Direction, 2> both = {omega_o, omega_i};
-  return integrate_density(surface, both, masking_kinks(surface), integrand, tolerance);
+  return integrate_density(surface, both, kinks_of_normals(surface), integrand, tolerance);
 }
 
 Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omega_o, double tolerance) {
@@ -174,7 +174,7 @@ Estimate diffuse_weak_furnace(const Microsurface& surface, const Direction& omeg
       out[k] = g1[constant ? 0 : k] * std::max(0.0, dot(omega_o, m[k])) / c_o * out[k];
   };
   Estimate estimate =
-      integrate_density(surface, std::span(&omega_o, 1), masking_kinks(surface), integrand, {.absolute = tolerance});
+      integrate_density(surface, std::span(&omega_o, 1), kinks_of_normals(surface), integrand, {.absolute = tolerance});
   // At grazing o.m is a difference of terms that are rounded.
   estimate.error += 4 * std::numeric_limits<double>::epsilon() * std::fabs(estimate.value) / c_o;
   return estimate;

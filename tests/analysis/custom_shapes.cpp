@@ -59,6 +59,17 @@ TEST_CASE("Eqs. 14, 18, 36 and 37 hold for shapes with rings, jumps, corners and
       }
 }
 
+TEST_CASE("a mixture cuts the integrals of the part that is a ring, and of no other") {
+  auto ring = general("custom", 0.5, 0.3, 0.4);
+  ring.distribution.values.set("shape", std::string("exp(-((t - 1) / 0.01)^2)"));
+  const Material m = build(mixture({{1, ring.distribution}, {3, general("ggx", 0.1, 0.2, 0).distribution}}));
+  for (const double theta : {0.0, 0.8, 1.5}) {
+    INFO("theta_o = " << theta);
+    const Estimate norm = honest(compute(Integral::visible_norm, m, from_angles(theta, 2.5), asked));
+    CHECK(std::fabs(norm.value - 1) <= norm.error + 2e-10);
+  }
+}
+
 TEST_CASE("a shape of two scales is the mixture of the two distributions") {
   // Mass 1 and 1000 / 1e4.
   const auto as_mixture = mixture({{10, general("beckmann", 0.5, 0.3, 0.4).distribution},

@@ -175,7 +175,8 @@ std::vector<double> jumps_and_corners(const RadialSamples& samples) {
 
 std::vector<double> cuts_between_scales(const RadialSamples& samples, const std::vector<double>& known) {
   const Scales scales(samples);
-  std::vector<double> places = {0, 1};
+  // Beyond the last sample formulas may overflow.
+  std::vector<double> places = {place_of(samples.t2s.back()), 1};
   for (const double t2 : known) places.push_back(place_of(t2));
   std::ranges::sort(places);
   std::vector<double> cuts, all;

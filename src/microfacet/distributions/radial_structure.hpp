@@ -20,9 +20,10 @@ struct RadialSamples {
 /// as those of a smooth function do when the interval is halved.
 std::vector<double> jumps_and_corners(const RadialSamples& samples);
 
-/// Squared slopes, ascending, between which an integral over the norm sees f: [0, infinity) and the `known` ones, in
-/// x = 6 / (6 + t2), halved wherever samples are not what the polynomial through 21 nodes has there though its last
-/// coefficients say that it has converged. None for densities of one scale; some per octave down to a narrow peak.
+/// Squared slopes, ascending, between which an integral over the norm sees f: what the samples and the `known` ones
+/// span, in x = 6 / (6 + t2), is halved wherever samples are not what the polynomial through 21 nodes has there though
+/// its last coefficients say that it has converged. None for densities of one scale; some per octave down to a narrow
+/// peak.
 std::vector<double> cuts_between_scales(const RadialSamples& samples, const std::vector<double>& known);
 
 } // namespace brdfplot
