@@ -26,8 +26,7 @@ struct CustomShape {
   Formula formula;
   double scale = 1; ///< P22 / f, 1 where it is as written
   Tail tail;
-  std::vector<double>
-      radii; ///< t at which integrals are to be cut: jumps, corners, and between widely different scales
+  std::vector<double> radii; ///< t: jumps, corners, and where the scale changes; integrals are to be cut there
   ALambdaTable table;
 
   static ModelSpec about();

@@ -37,8 +37,7 @@ Bracket most_bent_part(const std::function<double(double)>& f, const Bracket& wh
 }
 
 /// Where in the bracket f jumps or has a corner. There the second difference halves with the bracket or stays; where f
-/// is smooth it falls to a quarter each time.
-/// Second differences below `negligible` are not looked at.
+/// is smooth it falls to a quarter each time. Those below `negligible` are not looked at.
 std::optional<double> sharp_place(const std::function<double(double)>& f, Bracket bracket, double negligible) {
   constexpr int near = 10, nearer = 20, most = 60;
   double bend = 0; // of the near one
