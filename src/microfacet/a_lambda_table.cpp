@@ -1,11 +1,12 @@
 #include "microfacet/a_lambda_table.hpp"
 
+#include "math/chebyshev.hpp"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 #include <vector>
 
 namespace brdfplot {
@@ -33,47 +34,24 @@ struct Piece {
 
   double operator()(double x) const {
     const double z = (2 * x - from - to) / (to - from);
-    double b1 = 0; // Clenshaw's recurrence
-    double b2 = 0;
-    for (std::size_t k = node_count - 1; k > 0; --k) {
-      const double b0 = coefficients[k] + 2 * z * b1 - b2;
-      b2 = b1;
-      b1 = b0;
-    }
-    return std::exp(coefficients[0] + z * b1 - b2);
+    return std::exp(chebyshev_sum(node_count, z, [&](std::size_t k) { return coefficients[k]; }));
   }
 };
 
-/// cos(pi (j (k + 1/2)) / n), the Chebyshev polynomial j at node k.
-const std::array<std::array<double, node_count>, node_count>& chebyshev() {
-  static const auto all = [] {
-    std::array<std::array<double, node_count>, node_count> made{};
-    for (std::size_t j = 0; j < node_count; ++j)
-      for (std::size_t k = 0; k < node_count; ++k)
-        made[j][k] = std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / node_count);
-    return made;
-  }();
-  return all;
-}
-
 /// Interpolates at the Chebyshev points of `piece`; whether the last coefficients are small enough.
 bool fit(const Source& source, Piece& piece) {
-  std::array<double, node_count> y;
+  auto& c = piece.coefficients;
   for (std::size_t k = 0; k < node_count; ++k) {
-    const double x = 0.5 * (piece.from + piece.to) + 0.5 * (piece.to - piece.from) * chebyshev()[1][k];
+    const double x = 0.5 * (piece.from + piece.to) + 0.5 * (piece.to - piece.from) * chebyshev_node(k, node_count);
     const double value = source(std::expm1(x));
     if (!(value > smallest)) return false;
-    y[k] = std::log(value);
+    c[k] = std::log(value);
   }
+  to_chebyshev_coefficients(c.data(), node_count);
   double tail = 0;
-  for (std::size_t j = 0; j < node_count; ++j) {
-    double sum = 0;
-    for (std::size_t k = 0; k < node_count; ++k) sum += y[k] * chebyshev()[j][k];
-    piece.coefficients[j] = sum * (j == 0 ? 1.0 : 2.0) / node_count;
-    if (j + 4 >= node_count) tail = std::max(tail, std::fabs(piece.coefficients[j]));
-  }
+  for (std::size_t j = node_count - 4; j < node_count; ++j) tail = std::max(tail, std::fabs(c[j]));
   // The rounding of the logarithm itself is in the coefficients.
-  return tail < std::max(source.tail, 1e-15 * std::fabs(piece.coefficients[0]));
+  return tail < std::max(source.tail, 1e-15 * std::fabs(c[0]));
 }
 
 void add(const Source& source, double from, double to, std::vector<Piece>& pieces) {

@@ -1,44 +1,15 @@
 #include "brdf/integrals/albedo_table.hpp"
 
+#include "math/chebyshev.hpp"
 #include "math/gauss_kronrod.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 namespace brdfplot {
 
 namespace {
-
-/// The k-th Chebyshev node of n in [-1, 1].
-double node(std::size_t k, std::size_t n) {
-  return std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
-}
-
-/// sum of c_k T_k(x) by Clenshaw's recurrence, c(k) for k < n.
-template <class Coefficient>
-double chebyshev_sum(std::size_t n, double x, const Coefficient& c) {
-  double one = 0, two = 0;
-  for (std::size_t k = n - 1; k > 0; --k) {
-    const double next = 2 * x * one - two + c(k);
-    two = one;
-    one = next;
-  }
-  return x * one - two + c(0);
-}
-
-/// Replaces values at the Chebyshev nodes, `stride` apart, by the coefficients of the polynomial through them.
-void to_coefficients(double* values, std::size_t n, std::size_t stride) {
-  std::vector<double> c(n);
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t k = 0; k < n; ++k)
-      c[j] += values[k * stride] * std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) /
-                                            static_cast<double>(n));
-    c[j] *= (j == 0 ? 1.0 : 2.0) / static_cast<double>(n);
-  }
-  for (std::size_t j = 0; j < n; ++j) values[j * stride] = c[j];
-}
 
 Direction direction_at(double mu, double cos_2_phi) {
   const double s = std::sqrt((1 - mu) * (1 + mu));
@@ -72,7 +43,7 @@ AlbedoTable::AlbedoTable(std::size_t channels, bool isotropic, const Albedo& alb
         // mu = t^2: 2 mu dmu = 4 t^3 dt. The nodes of cos 2 phi are evenly spaced in phi.
         const double t = centre + half * rule.x[k];
         const double weight = rule.kronrod[k] * half * 4 * t * t * t / static_cast<double>(count);
-        const Direction omega = direction_at(t * t, node(j, count));
+        const Direction omega = direction_at(t * t, chebyshev_node(j, count));
         for (std::size_t c = 0; c < channels_; ++c) mean_loss_[c] += weight * loss(c, omega);
       }
   }
@@ -84,8 +55,8 @@ AlbedoTable::Piece AlbedoTable::sampled(double from, double to, std::size_t azim
   for (auto& coefficients : piece.of_channel) coefficients.resize(azimuths);
   for (std::size_t k = 0; k < nodes; ++k)
     for (std::size_t j = 0; j < azimuths; ++j) {
-      const double t = 0.5 * (from + to) + 0.5 * (to - from) * node(k, nodes);
-      const Direction omega = direction_at(t * t, node(j, azimuths));
+      const double t = 0.5 * (from + to) + 0.5 * (to - from) * chebyshev_node(k, nodes);
+      const Direction omega = direction_at(t * t, chebyshev_node(j, azimuths));
       const ColourEstimate here = albedo(omega);
       for (std::size_t c = 0; c < channels_; ++c) {
         piece.of_channel[c][j][k] = here.value[c];
@@ -96,8 +67,8 @@ AlbedoTable::Piece AlbedoTable::sampled(double from, double to, std::size_t azim
       }
     }
   for (std::size_t c = 0; c < channels_; ++c) {
-    for (auto& row : piece.of_channel[c]) to_coefficients(row.data(), nodes, 1);
-    for (std::size_t k = 0; k < nodes; ++k) to_coefficients(&piece.of_channel[c][0][k], azimuths, nodes);
+    for (auto& row : piece.of_channel[c]) to_chebyshev_coefficients(row.data(), nodes, 1);
+    for (std::size_t k = 0; k < nodes; ++k) to_chebyshev_coefficients(&piece.of_channel[c][0][k], azimuths, nodes);
   }
   return piece;
 }

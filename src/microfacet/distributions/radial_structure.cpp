@@ -1,10 +1,11 @@
 #include "microfacet/distributions/radial_structure.hpp"
 
+#include "math/chebyshev.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 namespace brdfplot {
@@ -69,13 +70,7 @@ struct Polynomial {
 
   double operator()(double place) const {
     const double x = (2 * place - from - to) / (to - from);
-    double b1 = 0, b2 = 0; // Clenshaw's recurrence
-    for (std::size_t k = node_count - 1; k > 0; --k) {
-      const double b0 = coefficients[k] + 2 * x * b1 - b2;
-      b2 = b1;
-      b1 = b0;
-    }
-    return coefficients[0] + x * b1 - b2;
+    return chebyshev_sum(node_count, x, [&](std::size_t k) { return coefficients[k]; });
   }
 };
 
@@ -122,20 +117,12 @@ public:
 
 private:
   Polynomial through_nodes(double from, double to) const {
-    std::array<double, node_count> y;
-    const auto cosine = [](std::size_t j, std::size_t k) {
-      return std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / node_count);
-    };
-    for (std::size_t k = 0; k < node_count; ++k) {
-      const double x = 0.5 * (from + to) + 0.5 * (to - from) * cosine(1, k);
-      y[k] = weighted(samples_.density(t2_at(x)), x);
-    }
     Polynomial p{from, to};
-    for (std::size_t j = 0; j < node_count; ++j) {
-      double sum = 0;
-      for (std::size_t k = 0; k < node_count; ++k) sum += y[k] * cosine(j, k);
-      p.coefficients[j] = sum * (j == 0 ? 1.0 : 2.0) / node_count;
+    for (std::size_t k = 0; k < node_count; ++k) {
+      const double x = 0.5 * (from + to) + 0.5 * (to - from) * chebyshev_node(k, node_count);
+      p.coefficients[k] = weighted(samples_.density(t2_at(x)), x);
     }
+    to_chebyshev_coefficients(p.coefficients.data(), node_count);
     return p;
   }
 
